@@ -1,0 +1,77 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+/// What does a case hold, and how does a new result take an old one's place?
+namespace f2b
+{
+
+using Path = std::filesystem::path;
+
+/// A folder of standard files that holds one case. Names of its files:
+///
+/// | step    | files                                                                            |
+/// |---------|----------------------------------------------------------------------------------|
+/// | segment | case.json segment.json ct.nrrd labels.nrrd {skin,bone,closed_bone}_distance.nrrd skin.vtp bone.vtp landmarks.mrk.json |
+/// | cut     | cut.json cuts.mrk.json bone_parts.nrrd uncut_bone.vtp fragment_NAME.vtp          |
+/// | mesh    | mesh.json mesh.vtu                                                               |
+/// | target  | target.json target.vtp                                                           |
+/// | plan    | plan.json plan_METHOD.vtu predicted_METHOD.vtp NAME_METHOD.{tfm,h5,vtp}          |
+/// | predict | predict.json predicted.vtp predicted.vtu NAME_moved.vtp                          |
+/// | report  | report.html pictures/                                                            |
+///
+/// One process works on a case at a time: the folder is locked while it is open.
+class CaseFolder
+{
+public:
+  /// Opens a folder, making it where it is not there; finishes or drops what a killed process left.
+  /// Throws Error if it cannot be made or written, or is in use.
+  explicit CaseFolder(const Path& folder);
+  ~CaseFolder();
+  CaseFolder(const CaseFolder&) = delete;
+  CaseFolder& operator=(const CaseFolder&) = delete;
+
+  const Path& path() const { return m_folder; }
+  Path file(const std::string& name) const { return m_folder / name; }
+  bool has(const std::string& name) const { return std::filesystem::exists(file(name)); }
+  /// The path of a file that an earlier step made; throws Error naming that step where it is absent.
+  Path require(const std::string& name, const std::string& step) const;
+  /// Names of files, in order, that begin and end so.
+  std::vector<std::string> matching(const std::string& begin, const std::string& end) const;
+
+private:
+  friend class CaseChange;
+  Path m_folder;
+  int m_lock = -1;
+  bool m_made = false; ///< by us: removed again if it stays empty
+};
+
+/// New files for a case, all of which appear when `commit` is called, or none.
+///
+/// Files are made in a folder inside the case. Commit writes down what is to be done, then renames
+/// file by file; a process killed between is finished by the next CaseFolder.
+class CaseChange
+{
+public:
+  explicit CaseChange(CaseFolder& folder);
+  ~CaseChange(); ///< drops what was not committed
+
+  /// Where to write the file that is to become `name`.
+  Path file(const std::string& name) const;
+  Path folder() const { return m_staging; }
+  /// Puts the new files in place and removes what an earlier run of this step made, and the results
+  /// of later steps that rest on it: stale results are never shown as current.
+  /// \param step  a step of the table above; a change that holds a whole case is a new `segment`
+  void commit(const std::string& step);
+
+private:
+  CaseFolder& m_case;
+  Path m_staging;
+};
+
+/// The settings that the case was made from, with absolute paths.
+inline constexpr const char* case_settings_name = "case.json";
+
+} // namespace f2b

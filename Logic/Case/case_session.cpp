@@ -1,0 +1,124 @@
+#include "Case/case_session.hpp"
+
+#include "Bridge/json_file.hpp"
+#include "Bridge/material_file.hpp"
+#include "Bridge/mesh_file.hpp"
+#include "Bridge/skin_mapping.hpp"
+#include "Core/error.hpp"
+#include "Core/inverse/skin_error.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+#include <omp.h>
+
+namespace f2b
+{
+
+using nlohmann::json;
+
+CaseSession::CaseSession(const Path& path, const json& case_document, const Path& source,
+                         Progress told)
+    : folder(path), document(with_absolute_paths(case_document, source)),
+      settings(parse_settings(document, source)), progress(std::move(told))
+{
+  if (settings.threads > 0)
+    omp_set_num_threads(settings.threads);
+}
+
+CaseSession CaseSession::open(const Path& path, const Progress& progress)
+{
+  if (!std::filesystem::exists(path / case_settings_name))
+    throw Error(path.string(), "it holds no case.json",
+                "make the case first: facetobone segment CASE.json -o " + path.string());
+  return CaseSession(path, read_json(path / case_settings_name), path / case_settings_name, progress);
+}
+
+void require_inputs_elsewhere(const CaseSettings& settings, const Path& folder)
+{
+  std::vector<Path> inputs = {settings.ct, settings.landmarks, settings.target.mesh,
+                              settings.target.warp_from, settings.target.warp_to};
+  for (const OsteotomySettings& o : settings.osteotomies)
+    inputs.insert(inputs.end(), o.planes.begin(), o.planes.end());
+  const Path home = std::filesystem::weakly_canonical(folder);
+  for (const Path& input : inputs)
+  {
+    const Path relative = std::filesystem::weakly_canonical(input).lexically_relative(home);
+    if (!input.empty() && !relative.empty() && *relative.begin() != "..")
+      throw Error(folder.string(), "the case's own input " + input.string() + " lies in it",
+                  "write the case to another folder");
+  }
+}
+
+json to_json(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
+
+Vec3 vec3_from(const json& value)
+{
+  return {value.at(0).get<double>(), value.at(1).get<double>(), value.at(2).get<double>()};
+}
+
+std::string file_part(std::string fragment)
+{
+  std::replace(fragment.begin(), fragment.end(), ' ', '_');
+  return fragment;
+}
+
+LoadedFace load_face(const CaseSession& session)
+{
+  LoadedFace face;
+  face.skin = read_surface(session.folder.require("skin.vtp", "segment"));
+  face.reference_skin = to_triangle_mesh(face.skin);
+  face.mesh = read_mesh(session.folder.require("mesh.vtu", "mesh"));
+  face.materials = read_materials(session.settings.materials);
+  face.map = map_skin(face.mesh, face.reference_skin.points);
+  face.skin_area = vertex_areas(face.reference_skin);
+  for (std::size_t v = 0; v < face.skin_area.size(); ++v)
+    if (face.map.places[v].prism < 0)
+      face.skin_area[v] = 0;
+  const json cut = read_json(session.folder.require("cut.json", "cut"));
+  for (const json& fragment : cut.at("fragments"))
+    face.reference_points.push_back(vec3_from(fragment.at("reference_point_ras")));
+  return face;
+}
+
+EquilibriumOptions equilibrium_options(const CaseSettings& settings)
+{
+  EquilibriumOptions options;
+  options.max_newton_iterations = settings.max_newton_iterations;
+  options.step_tolerance_mm = settings.step_tolerance_mm;
+  return options;
+}
+
+std::vector<RigidMotion> stated_motions(const Movements& movements, const LoadedFace& face,
+                                        const std::string& source)
+{
+  std::vector<RigidMotion> motions = rest_motions(face.model());
+  const auto& names = face.mesh.fragments;
+  for (const auto& [name, movement] : movements)
+  {
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end())
+    {
+      std::string known;
+      for (const std::string& fragment : names)
+        known += (known.empty() ? "'" : ", '") + fragment + "'";
+      throw Error(source, "it moves a fragment '" + name + "' that no cut frees", "use " + known);
+    }
+    const auto f = static_cast<std::size_t>(found - names.begin());
+    motions[f] = movement.about(face.reference_points[f]);
+  }
+  return motions;
+}
+
+void require_converged(const EquilibriumSummary& summary, const std::string& what)
+{
+  if (summary.converged())
+    return;
+  char share[32];
+  std::snprintf(share, sizeof share, "%.0f", 100 * summary.load_reached);
+  throw Error(what, "the tissue could follow only " + std::string(share) + " % of the movement",
+              "state a smaller movement, or release more tissue along the cuts (mesh.release_margin_mm)",
+              ErrorKind::Numerical);
+}
+
+} // namespace f2b

@@ -1,0 +1,75 @@
+#pragma once
+
+#include "Bridge/vtk_surface.hpp"
+#include "Case/case_folder.hpp"
+#include "Case/case_settings.hpp"
+#include "Core/geometry/osteotomy.hpp"
+#include "Core/inverse/face_model.hpp"
+#include "Core/progress.hpp"
+
+#include <chrono>
+
+/// What do the verbs share when they work on a case folder?
+namespace f2b
+{
+
+/// An open case with its settings.
+struct CaseSession
+{
+  CaseFolder folder;
+  nlohmann::json document; ///< case.json, paths absolute
+  CaseSettings settings;
+  Progress progress;
+
+  /// Opens a case that `segment` made; throws Error if there is none.
+  static CaseSession open(const Path& folder, const Progress& progress = no_progress);
+  /// Opens a folder for a new case.
+  CaseSession(const Path& folder, const nlohmann::json& case_document, const Path& source,
+              Progress progress = no_progress);
+};
+
+/// Throws Error if making the case in a folder would overwrite what it is to be made from.
+void require_inputs_elsewhere(const CaseSettings& settings, const Path& folder);
+
+/// Seconds since it was made.
+class Stopwatch
+{
+public:
+  double seconds() const
+  {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - m_begin).count();
+  }
+
+private:
+  std::chrono::steady_clock::time_point m_begin = std::chrono::steady_clock::now();
+};
+
+nlohmann::json to_json(const Vec3& v);
+Vec3 vec3_from(const nlohmann::json& value);
+/// A fragment's name as part of a file name.
+std::string file_part(std::string fragment);
+
+/// Reference skin, mesh and laws of a meshed case, ready to be solved.
+struct LoadedFace
+{
+  vtkSmartPointer<vtkPolyData> skin;
+  TriangleMesh reference_skin;
+  MixedMesh mesh;
+  MaterialSet materials;
+  SkinMap map;
+  std::vector<double> skin_area; ///< 0 where a vertex has no finite-element skin near it
+  std::vector<Vec3> reference_points;
+
+  FaceModel model() const { return {mesh, materials, map, skin_area, reference_points}; }
+};
+LoadedFace load_face(const CaseSession& session);
+
+EquilibriumOptions equilibrium_options(const CaseSettings& settings);
+/// Motions in the order of the mesh's fragments; fragments that are not named stay at rest.
+/// Throws Error for a name that is no fragment.
+std::vector<RigidMotion> stated_motions(const Movements& movements, const LoadedFace& face,
+                                        const std::string& source);
+/// Throws Error (Numerical) with one sentence if a solve did not converge.
+void require_converged(const EquilibriumSummary& summary, const std::string& what);
+
+} // namespace f2b

@@ -1,0 +1,195 @@
+#include "Case/case_settings.hpp"
+
+#include "Bridge/resources.hpp"
+#include "Case/schema_check.hpp"
+#include "Core/error.hpp"
+
+#include <algorithm>
+#include <set>
+
+namespace f2b
+{
+namespace
+{
+
+using nlohmann::json;
+
+constexpr double degree = 3.14159265358979323846 / 180;
+
+Vec3 point_from(const json& value)
+{
+  return {value[0].get<double>(), value[1].get<double>(), value[2].get<double>()};
+}
+
+Path resolved(const std::string& text, const Path& source)
+{
+  const Path path = std::filesystem::u8path(text);
+  return path.is_absolute() ? path : std::filesystem::absolute(source).parent_path() / path;
+}
+
+template <class Value>
+void take(const json& object, const char* key, Value& value)
+{
+  if (object.contains(key))
+    value = object[key].get<Value>();
+}
+
+template <class Value>
+void take(const json& object, const char* key, std::optional<Value>& value)
+{
+  if (object.contains(key))
+    value = object[key].get<Value>();
+}
+
+void take_path(const json& object, const char* key, const Path& source, Path& value)
+{
+  if (object.contains(key))
+    value = resolved(object[key].get<std::string>(), source);
+}
+
+StatedMovement movement_from(const json& value)
+{
+  StatedMovement movement;
+  const json translation = value.value("translation_mm", json::object());
+  const json rotation = value.value("rotation_deg", json::object());
+  movement.translation = {translation.value("right", 0.0), translation.value("anterior", 0.0),
+                          translation.value("superior", 0.0)};
+  movement.rotation_deg = {rotation.value("pitch", 0.0), rotation.value("roll", 0.0),
+                           rotation.value("yaw", 0.0)};
+  return movement;
+}
+
+Movements movements_from(const json& value)
+{
+  Movements movements;
+  for (const auto& [fragment, movement] : value.items())
+    movements[fragment] = movement_from(movement);
+  return movements;
+}
+
+OsteotomySettings osteotomy_from(const json& value, std::size_t index, const Path& source)
+{
+  OsteotomySettings o;
+  const std::string where = "'/osteotomies/" + std::to_string(index) + "'";
+  take(value, "fragment", o.fragment);
+  take(value, "template", o.template_name);
+  take(value, "kerf_mm", o.kerf_mm);
+  for (const json& file : value.value("planes", json::array()))
+    o.planes.push_back(resolved(file.get<std::string>(), source));
+  if (value.contains("fragment_point_ras"))
+    o.fragment_point = point_from(value["fragment_point_ras"]);
+  if (o.template_name.empty() == o.planes.empty())
+    throw Error(source.string(), where + " has " + (o.planes.empty() ? "neither" : "both") +
+                                     " template and planes",
+                "give exactly one of them");
+  if (!o.planes.empty() && (!o.fragment_point || o.fragment.empty()))
+    throw Error(source.string(), where + " has planes but no fragment_point_ras or no fragment name",
+                "name the fragment and give a point on the bone that is to be free");
+  return o;
+}
+
+TargetSettings target_from(const json& value, const Path& source)
+{
+  TargetSettings target;
+  take_path(value, "mesh", source, target.mesh);
+  if (value.contains("warp"))
+  {
+    take_path(value["warp"], "from", source, target.warp_from);
+    take_path(value["warp"], "to", source, target.warp_to);
+    take(value["warp"], "radius_mm", target.warp_radius_mm);
+  }
+  if (value.contains("from_movement"))
+    target.movements = movements_from(value["from_movement"]);
+  take(value, "mask_mm", target.mask_mm);
+  const int kinds = !target.mesh.empty() + !target.warp_from.empty() + !target.movements.empty();
+  if (kinds != 1)
+    throw Error(source.string(), "'/target' has " + std::to_string(kinds) + " of mesh, warp and from_movement",
+                "give exactly one of them");
+  return target;
+}
+
+void read_groups(const json& document, CaseSettings& s)
+{
+  const json none = json::object();
+  const json thresholds = document.value("thresholds", none);
+  take(thresholds, "skin_hu", s.skin_threshold_hu);
+  take(thresholds, "bone_hu", s.bone_threshold_hu);
+  const json segmentation = document.value("segmentation", none);
+  take(segmentation, "spacing_mm", s.spacing_mm);
+  take(segmentation, "head_closing_mm", s.head_closing_mm);
+  take(segmentation, "bone_closing_mm", s.bone_closing_mm);
+  const json mesh = document.value("mesh", none);
+  take(mesh, "density", s.mesh_density);
+  take(mesh, "release_margin_mm", s.release_margin_mm);
+  take(mesh, "contact_tolerance_mm", s.contact_tolerance_mm);
+  const json solver = document.value("solver", none);
+  take(solver, "threads", s.threads);
+  take(solver, "max_newton_iterations", s.max_newton_iterations);
+  take(solver, "max_fit_iterations", s.max_fit_iterations);
+  take(solver, "step_tolerance_mm", s.step_tolerance_mm);
+  take(solver, "virtual_force_stiffness_n_per_mm3", s.virtual_force_stiffness);
+}
+
+void refuse_repeated_fragments(const CaseSettings& settings, const Path& source)
+{
+  std::set<std::string> names;
+  for (const OsteotomySettings& o : settings.osteotomies)
+    if (!o.fragment.empty() && !names.insert(o.fragment).second)
+      throw Error(source.string(), "two osteotomies free a fragment named '" + o.fragment + "'",
+                  "give each fragment its own name");
+}
+
+} // namespace
+
+RigidMotion StatedMovement::about(const Vec3& reference_point) const
+{
+  const Vec3 angles = rotation_deg * degree;
+  return {rotation_from({angles[0], angles[1], angles[2]}), translation, reference_point};
+}
+
+CaseSettings parse_settings(const json& document, const Path& source)
+{
+  static const json schema = json::parse(*carried_resource("Schema/case.schema.json"));
+  check_against_schema(document, schema, source.string());
+  CaseSettings s;
+  s.name = document.value("name", source.stem().string());
+  take_path(document, "ct", source, s.ct);
+  take_path(document, "landmarks", source, s.landmarks);
+  if (document.contains("region_ras"))
+    s.region_ras = Box{point_from(document["region_ras"]["min"]), point_from(document["region_ras"]["max"])};
+  take(document, "skin_thickness_mm", s.skin_thickness_mm);
+  read_groups(document, s);
+  for (std::size_t i = 0; i < document["osteotomies"].size(); ++i)
+    s.osteotomies.push_back(osteotomy_from(document["osteotomies"][i], i, source));
+  refuse_repeated_fragments(s, source);
+  s.target = target_from(document["target"], source);
+  s.predict = movements_from(document.value("predict", json::object()));
+  take(document, "materials", s.materials);
+  if (!carried_resource("Materials/" + s.materials + ".json"))
+    s.materials = resolved(s.materials, source).string();
+  return s;
+}
+
+json with_absolute_paths(json document, const Path& source)
+{
+  auto make_absolute = [&](json& text) { text = resolved(text.get<std::string>(), source).lexically_normal().string(); };
+  for (const char* key : {"ct", "landmarks"})
+    if (document.contains(key))
+      make_absolute(document[key]);
+  for (json& osteotomy : document["osteotomies"])
+    if (osteotomy.contains("planes"))
+      for (json& file : osteotomy["planes"])
+        make_absolute(file);
+  json& target = document["target"];
+  if (target.contains("mesh"))
+    make_absolute(target["mesh"]);
+  if (target.contains("warp"))
+    for (const char* key : {"from", "to"})
+      make_absolute(target["warp"][key]);
+  if (document.contains("materials") &&
+      !carried_resource("Materials/" + document["materials"].get<std::string>() + ".json"))
+    make_absolute(document["materials"]);
+  return document;
+}
+
+} // namespace f2b

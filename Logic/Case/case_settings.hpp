@@ -1,0 +1,74 @@
+#pragma once
+
+#include "Core/geometry/rigid_motion.hpp"
+#include "Imaging/lattice.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// What does CASE.json ask for? Keys, units and ranges: Resources/Schema/case.schema.json.
+namespace f2b
+{
+
+using Path = std::filesystem::path;
+
+/// A stated movement of one fragment; angles in degrees as people write them.
+struct StatedMovement
+{
+  Vec3 translation = Vec3::Zero();  ///< right, anterior, superior [mm]
+  Vec3 rotation_deg = Vec3::Zero(); ///< pitch, roll, yaw [degrees]
+
+  RigidMotion about(const Vec3& reference_point) const;
+};
+using Movements = std::map<std::string, StatedMovement>;
+
+struct OsteotomySettings
+{
+  std::string fragment;
+  std::string template_name;       ///< or planes
+  std::vector<Path> planes;
+  std::optional<Vec3> fragment_point;
+  double kerf_mm = 1.0;
+};
+
+struct TargetSettings
+{
+  Path mesh;                     ///< exactly one of mesh, warp_from/warp_to, movements is given
+  Path warp_from, warp_to;
+  double warp_radius_mm = 45;
+  Movements movements;
+  double mask_mm = 0;
+};
+
+struct CaseSettings
+{
+  std::string name;
+  Path ct, landmarks;
+  std::optional<double> skin_threshold_hu, bone_threshold_hu;
+  std::optional<Box> region_ras;
+  double spacing_mm = 1.0, head_closing_mm = 5, bone_closing_mm = 8;
+  double skin_thickness_mm = 1.5;
+  std::vector<OsteotomySettings> osteotomies;
+  TargetSettings target;
+  std::string materials = "table1-stable";
+  double mesh_density = 1, release_margin_mm = 5, contact_tolerance_mm = 2;
+  int threads = 0;
+  int max_newton_iterations = 40, max_fit_iterations = 40;
+  double step_tolerance_mm = 1e-8, virtual_force_stiffness = 0.02;
+  Movements predict;
+};
+
+/// Checks a document against the schema and what the schema cannot say.
+/// \param source  its file, for messages and to resolve relative paths
+/// Throws Error naming the file, the key, the value and what is allowed.
+CaseSettings parse_settings(const nlohmann::json& document, const Path& source);
+
+/// The document with its paths made absolute, to be kept in a case folder.
+nlohmann::json with_absolute_paths(nlohmann::json document, const Path& source);
+
+} // namespace f2b

@@ -1,0 +1,29 @@
+#include "Case/face_regions.hpp"
+
+#include "Bridge/grid_file.hpp"
+#include "Core/mesh/contact.hpp"
+
+namespace f2b
+{
+
+FaceRegions face_regions(const CaseFolder& folder, const std::vector<Vec3>& reference_skin)
+{
+  const ScalarGrid closed = read_scalar_grid(folder.require("closed_bone_distance.nrrd", "segment"));
+  const LabelGrid parts = read_label_grid(folder.require("bone_parts.nrrd", "cut"));
+  FaceRegions regions;
+  for (const Vec3& vertex : reference_skin)
+  {
+    // walk down the distance map; a second step mends the bend of its gradient
+    Vec3 p = vertex;
+    for (int step = 0; step < 3; ++step)
+    {
+      const Vec3 slope = closed.gradient(p);
+      if (slope.norm() > 1e-3)
+        p -= closed.value(p) * slope.normalized();
+    }
+    regions.over_fragment.push_back(nearest_bone(parts, p) >= BonePartition::first_fragment);
+  }
+  return regions;
+}
+
+} // namespace f2b

@@ -1,0 +1,290 @@
+#include "Bridge/grid_file.hpp"
+#include "Bridge/json_file.hpp"
+#include "Bridge/mesh_file.hpp"
+#include "Bridge/transform_file.hpp"
+#include "Case/face_regions.hpp"
+#include "Case/verbs.hpp"
+#include "Core/error.hpp"
+#include "Core/inverse/rigid_fit.hpp"
+#include "Core/inverse/skin_error.hpp"
+#include "Core/inverse/virtual_force.hpp"
+
+#include <cmath>
+
+#include <sys/resource.h>
+
+namespace f2b
+{
+namespace
+{
+
+using nlohmann::json;
+
+constexpr double degree = 3.14159265358979323846 / 180;
+
+double peak_memory_mb()
+{
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024;
+}
+
+json error_json(const SkinError& e)
+{
+  return {{"mean", e.mean},           {"sd", e.sd},   {"variance", e.variance}, {"median", e.median},
+          {"p90", e.p90},             {"p95", e.p95}, {"max", e.max},           {"under_1mm", e.under_1mm},
+          {"under_2mm", e.under_2mm}, {"signed_mean", e.signed_mean}, {"area_mm2", e.area_mm2}};
+}
+
+json motion_json(const std::string& name, const RigidMotion& motion)
+{
+  const EulerAngles angles = euler_angles(motion.rotation);
+  const Mat4 m = motion.matrix();
+  json matrix = json::array();
+  for (int r = 0; r < 4; ++r)
+    for (int c = 0; c < 4; ++c)
+      matrix.push_back(m(r, c));
+  const Vec3& t = motion.translation;
+  return {{"name", name},
+          {"matrix_ras", matrix},
+          {"reference_point_ras", to_json(motion.reference_point)},
+          {"translation_mm", {{"right", t.x()}, {"anterior", t.y()}, {"superior", t.z()}}},
+          {"rotation_deg",
+           {{"pitch", angles.pitch / degree}, {"roll", angles.roll / degree}, {"yaw", angles.yaw / degree}}}};
+}
+
+json summary_json(const EquilibriumSummary& s)
+{
+  return {{"converged", s.converged()},
+          {"load_reached", s.load_reached},
+          {"load_steps", s.load_steps},
+          {"newton_iterations", s.newton_iterations},
+          {"factorizations", s.factorizations}};
+}
+
+/// One run of the verb: the face, its target, and what the two methods find.
+class Planning
+{
+public:
+  explicit Planning(CaseSession& session)
+      : m_session(session), m_face(load_face(session)), m_change(session.folder)
+  {
+    const auto surface = read_surface(session.folder.require("target.vtp", "target"));
+    m_target.displacement = point_vectors(surface, "displacement");
+    m_target.weight = point_scalars(surface, "weight");
+    if (m_target.weight.size() != m_face.skin_area.size())
+      throw Error("target.vtp", "it does not belong to this reference skin", "run 'facetobone target' again");
+    const TriangleMesh target = to_triangle_mesh(surface);
+    m_target_points = target.points;
+    m_target_normals = vertex_normals(target);
+    m_regions = face_regions(session.folder, m_face.reference_skin.points);
+    require_overlap();
+  }
+
+  void rigid_fit();
+  void virtual_force();
+  void finish(double seconds);
+
+private:
+  void require_overlap() const;
+  json errors(const std::vector<Vec3>& skin_displacement) const;
+  json fragments(const std::vector<RigidMotion>& motions);
+  void write(const std::string& method, const std::vector<RigidMotion>& motions,
+             const std::vector<Vec3>& x, const std::vector<Vec3>& skin_displacement);
+  std::vector<double> distances(const std::vector<Vec3>& skin_displacement) const;
+
+  CaseSession& m_session;
+  LoadedFace m_face;
+  SkinTarget m_target;
+  std::vector<Vec3> m_target_points, m_target_normals;
+  FaceRegions m_regions;
+  CaseChange m_change;
+  json m_methods = json::object();
+  json m_seconds = json::object();
+  json m_warnings = json::array();
+};
+
+void Planning::require_overlap() const
+{
+  for (std::size_t v = 0; v < m_target.weight.size(); ++v)
+    if (m_target.weight[v] > 0 && m_face.skin_area[v] > 0)
+      return;
+  throw Error("target", "no weighted part of it lies on the meshed face",
+              "widen the target's mask (target.mask_mm) or the region of interest");
+}
+
+std::vector<double> Planning::distances(const std::vector<Vec3>& skin_displacement) const
+{
+  std::vector<Vec3> predicted = m_face.reference_skin.points;
+  for (std::size_t v = 0; v < predicted.size(); ++v)
+    predicted[v] += skin_displacement[v];
+  return signed_distances(predicted, m_target_points, m_target_normals);
+}
+
+/// Over the whole face, and by the bone below it.
+json Planning::errors(const std::vector<Vec3>& skin_displacement) const
+{
+  const std::vector<double> d = distances(skin_displacement);
+  json result = error_json(skin_error(d, m_face.skin_area));
+  for (const bool cut : {true, false})
+  {
+    std::vector<double> area = m_face.skin_area;
+    for (std::size_t v = 0; v < area.size(); ++v)
+      if (m_regions.over_fragment[v] != cut)
+        area[v] = 0;
+    result[cut ? "cut" : "outside_cut"] = error_json(skin_error(d, area));
+  }
+  return result;
+}
+
+json Planning::fragments(const std::vector<RigidMotion>& motions)
+{
+  json list = json::array();
+  for (std::size_t f = 0; f < motions.size(); ++f)
+    list.push_back(motion_json(m_face.mesh.fragments[f], motions[f]));
+  return list;
+}
+
+void Planning::write(const std::string& method, const std::vector<RigidMotion>& motions,
+                     const std::vector<Vec3>& x, const std::vector<Vec3>& skin_displacement)
+{
+  std::vector<Vec3> points = m_face.reference_skin.points;
+  for (std::size_t v = 0; v < points.size(); ++v)
+    points[v] += skin_displacement[v];
+  const auto predicted = with_points(m_face.skin, points);
+  // where the face was not meshed nothing is known
+  std::vector<double> distance = distances(skin_displacement);
+  for (std::size_t v = 0; v < distance.size(); ++v)
+    if (m_face.skin_area[v] <= 0)
+      distance[v] = std::nan("");
+  add_point_array(predicted, "signed_distance_mm", distance);
+  add_point_array(predicted, "displacement", skin_displacement);
+  write_surface(m_change.file("predicted_" + method + ".vtp"), predicted);
+
+  std::vector<Vec3> u = x;
+  for (std::size_t n = 0; n < u.size(); ++n)
+    u[n] -= m_face.mesh.X[n];
+  write_mesh(m_change.file("plan_" + method + ".vtu"), m_face.mesh, {{"displacement", u}});
+
+  for (std::size_t f = 0; f < motions.size(); ++f)
+  {
+    const std::string name = file_part(m_face.mesh.fragments[f]);
+    for (const char* kind : {".tfm", ".h5"})
+      write_transform(m_change.file(name + "_" + method + kind), motions[f].matrix());
+    const auto rest = read_surface(m_session.folder.require("fragment_" + name + ".vtp", "cut"));
+    std::vector<Vec3> moved = points_of(rest);
+    for (Vec3& p : moved)
+      p = motions[f].apply(p);
+    write_surface(m_change.file(name + "_" + method + ".vtp"), with_points(rest, moved));
+  }
+}
+
+const char* text_of(RigidFitTermination termination)
+{
+  switch (termination)
+  {
+  case RigidFitTermination::Converged:
+    return "converged";
+  case RigidFitTermination::NoFurtherDescent:
+    return "no further descent";
+  case RigidFitTermination::MaxIterations:
+    return "iteration limit";
+  case RigidFitTermination::EquilibriumLost:
+    return "equilibrium lost";
+  }
+  return "";
+}
+
+void Planning::rigid_fit()
+{
+  const Stopwatch watch;
+  RigidFitOptions options;
+  options.max_iterations = m_session.settings.max_fit_iterations;
+  options.equilibrium = equilibrium_options(m_session.settings);
+  const RigidFitResult fit = fit_fragments(m_face.model(), m_target, options, m_session.progress);
+  if (fit.termination == RigidFitTermination::EquilibriumLost)
+    throw Error("rigid-fit", "the tissue cannot follow even a small movement towards this target",
+                "check the target for skin that crosses bone, or release more tissue along the cuts",
+                ErrorKind::Numerical);
+  if (fit.termination != RigidFitTermination::Converged)
+    m_warnings.push_back(std::string("rigid-fit stopped early (") + text_of(fit.termination) +
+                         "): the movement is the best that was found");
+  json iterations = json::array();
+  for (const RigidFitIteration& i : fit.iterations)
+    iterations.push_back({{"objective", i.objective}, {"translation_mm", i.translation_mm}, {"rotation_rad", i.rotation_rad}});
+  m_methods["rigid-fit"] = {{"fragments", fragments(fit.motions)},
+                            {"skin_error_mm", errors(fit.skin_displacement)},
+                            {"termination", text_of(fit.termination)},
+                            {"iterations", iterations},
+                            {"equilibrium", summary_json(fit.equilibrium)}};
+  write("rigid-fit", fit.motions, fit.x, fit.skin_displacement);
+  m_seconds["rigid_fit"] = watch.seconds();
+}
+
+void Planning::virtual_force()
+{
+  const Stopwatch watch;
+  VirtualForceOptions options;
+  options.stiffness_n_per_mm3 = m_session.settings.virtual_force_stiffness;
+  options.equilibrium = equilibrium_options(m_session.settings);
+  const VirtualForceResult dragged = drag_skin(m_face.model(), m_target, options, m_session.progress);
+  if (dragged.equilibrium.load_reached < 1)
+    m_warnings.push_back("virtual-force: the skin could be pulled only " +
+                         std::to_string(std::lround(100 * dragged.equilibrium.load_reached)) +
+                         " % of the way to the target");
+  const Prediction again =
+      predict_face(m_face.model(), dragged.motions, options.equilibrium, m_session.progress);
+  if (!again.summary.converged())
+    m_warnings.push_back("virtual-force: the face could be predicted only for " +
+                         std::to_string(std::lround(100 * again.summary.load_reached)) +
+                         " % of the movement that it found");
+  m_methods["virtual-force"] = {{"fragments", fragments(dragged.motions)},
+                                {"skin_error_mm", errors(again.skin_displacement)},
+                                {"load_residual_mm", errors(dragged.skin_displacement)},
+                                {"stiffness_n_per_mm3", options.stiffness_n_per_mm3},
+                                {"equilibrium", summary_json(dragged.equilibrium)},
+                                {"prediction", summary_json(again.summary)}};
+  write("virtual-force", dragged.motions, again.x, again.skin_displacement);
+  m_seconds["virtual_force"] = watch.seconds();
+}
+
+void Planning::finish(double seconds)
+{
+  const json mesh = read_json(m_session.folder.require("mesh.json", "mesh"));
+  json plan = {{"schema", "facetobone-plan/1"},
+               {"name", m_session.settings.name},
+               {"frame", "scanner RAS"},
+               {"materials", m_face.materials.name},
+               {"methods", m_methods},
+               {"warnings", m_warnings},
+               {"disclaimer", "research software, not a medical device"}};
+  for (const char* key : {"prisms", "tets", "nodes", "dofs", "min_dihedral_deg", "min_prism_scaled_jacobian"})
+    plan["mesh"][key] = mesh.at(key);
+  json& timing = plan["timing_s"];
+  timing = m_seconds;
+  double total = seconds;
+  for (const char* step : {"segment", "cut", "mesh", "target"})
+  {
+    timing[step] = read_json(m_session.folder.file(std::string(step) + ".json")).at("seconds");
+    total += timing[step].get<double>();
+  }
+  timing["plan"] = seconds;
+  timing["total"] = total;
+  plan["peak_rss_mb"] = peak_memory_mb();
+  write_json(m_change.file("plan.json"), plan);
+  m_change.commit("plan");
+}
+
+} // namespace
+
+void plan_case(CaseSession& session)
+{
+  const Stopwatch watch;
+  Planning planning(session);
+  planning.rigid_fit();
+  planning.virtual_force();
+  planning.finish(watch.seconds());
+  session.progress("planned", 1);
+}
+
+} // namespace f2b

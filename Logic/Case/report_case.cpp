@@ -1,0 +1,185 @@
+#include "Bridge/json_file.hpp"
+#include "Bridge/markups.hpp"
+#include "Case/verbs.hpp"
+#include "Core/error.hpp"
+#include "Rendering/html_report.hpp"
+#include "Rendering/plan_pictures.hpp"
+
+#include <cstdio>
+
+namespace f2b
+{
+namespace
+{
+
+using nlohmann::json;
+
+std::string number(double value, int decimals)
+{
+  char text[40];
+  std::snprintf(text, sizeof text, "%.*f", decimals, value);
+  return text;
+}
+
+ReportFragment report_fragment(const json& f)
+{
+  const json& t = f.at("translation_mm");
+  const json& r = f.at("rotation_deg");
+  ReportFragment fragment;
+  fragment.name = f.at("name").get<std::string>();
+  fragment.reference_point_ras = vec3_from(f.at("reference_point_ras"));
+  fragment.translation_ras_mm = {t.at("right").get<double>(), t.at("anterior").get<double>(),
+                                 t.at("superior").get<double>()};
+  fragment.rotation_deg = {r.at("pitch").get<double>(), r.at("roll").get<double>(),
+                           r.at("yaw").get<double>()};
+  return fragment;
+}
+
+ReportSkinError report_error(const json& e)
+{
+  ReportSkinError error;
+  const std::pair<const char*, double*> fields[] = {
+      {"mean", &error.mean}, {"sd", &error.sd}, {"variance", &error.variance},
+      {"median", &error.median}, {"p90", &error.p90}, {"p95", &error.p95}, {"max", &error.max},
+      {"under_1mm", &error.under_1mm}, {"under_2mm", &error.under_2mm},
+      {"signed_mean", &error.signed_mean}};
+  for (const auto& [key, field] : fields)
+    *field = e.at(key).get<double>();
+  return error;
+}
+
+std::vector<ReportMethod> report_methods(const json& plan)
+{
+  const std::pair<const char*, const char*> known[] = {
+      {"rigid-fit", "Six degrees of freedom per fragment, fitted to the target face under the tissue's equilibrium. The default."},
+      {"virtual-force", "The paper's method: the skin is pulled to the target and the bone's contact surface is registered. Biased towards too little movement, shown for comparison."}};
+  std::vector<ReportMethod> methods;
+  for (const auto& [name, note] : known)
+  {
+    const json& m = plan.at("methods").at(name);
+    ReportMethod method;
+    method.name = name;
+    method.note = note;
+    for (const json& fragment : m.at("fragments"))
+      method.fragments.push_back(report_fragment(fragment));
+    method.skin_error_mm = report_error(m.at("skin_error_mm"));
+    if (m.contains("load_residual_mm"))
+      method.load_residual_mm = m.at("load_residual_mm").at("mean").get<double>();
+    methods.push_back(std::move(method));
+  }
+  return methods;
+}
+
+Surface plane_quads(const std::vector<BoundedPlane>& planes)
+{
+  TriangleMesh mesh;
+  for (const BoundedPlane& p : planes)
+  {
+    const int first = static_cast<int>(mesh.points.size());
+    for (const auto& [a, b] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}})
+      mesh.points.push_back(p.center + a * p.half_u * p.u + b * p.half_v * p.v);
+    mesh.triangles.push_back({first, first + 1, first + 2});
+    mesh.triangles.push_back({first, first + 2, first + 3});
+  }
+  return to_polydata(mesh);
+}
+
+PlanPictures plan_pictures(const CaseFolder& folder, const json& plan)
+{
+  PlanPictures pictures;
+  pictures.skin = read_surface(folder.require("skin.vtp", "segment"));
+  pictures.target = read_surface(folder.require("target.vtp", "target"));
+  pictures.predicted = read_surface(folder.require("predicted_rigid-fit.vtp", "plan"));
+  pictures.uncut_bone = read_surface(folder.require("uncut_bone.vtp", "cut"));
+  pictures.cut_planes = plane_quads(read_planes(folder.require("cuts.mrk.json", "cut")));
+  std::vector<double> length;
+  for (const Vec3& d : point_vectors(pictures.target, "displacement"))
+    length.push_back(d.norm());
+  add_point_array(pictures.skin, target_displacement_array, length);
+  for (const json& f : plan.at("methods").at("rigid-fit").at("fragments"))
+  {
+    const ReportFragment facts = report_fragment(f);
+    const std::string name = file_part(facts.name);
+    FragmentPicture fragment;
+    fragment.name = facts.name;
+    fragment.rest = read_surface(folder.require("fragment_" + name + ".vtp", "cut"));
+    fragment.planned = read_surface(folder.require(name + "_rigid-fit.vtp", "plan"));
+    for (std::size_t i = 0; i < 16; ++i)
+      fragment.matrix_ras[i] = f.at("matrix_ras").at(i).get<double>();
+    for (std::size_t i = 0; i < 3; ++i)
+      fragment.reference_point_ras[i] = facts.reference_point_ras[static_cast<Eigen::Index>(i)];
+    fragment.movement = translation_phrase(facts.translation_ras_mm);
+    pictures.fragments.push_back(std::move(fragment));
+  }
+  return pictures;
+}
+
+std::vector<ReportFact> case_facts(const CaseSession& session, const json& plan)
+{
+  const json segment = read_json(session.folder.require("segment.json", "segment"));
+  const json target = read_json(session.folder.require("target.json", "target"));
+  const json cut = read_json(session.folder.require("cut.json", "cut"));
+  std::string fragments;
+  for (const json& f : cut.at("fragments"))
+    fragments += (fragments.empty() ? "" : ", ") + f.at("name").get<std::string>() + " (" +
+                 number(f.at("volume_mm3").get<double>() / 1000, 1) + " cm³)";
+  return {{"CT", session.settings.ct.filename().string()},
+          {"Skin threshold", number(segment.at("skin_threshold_hu"), 0) + " HU"},
+          {"Bone threshold", number(segment.at("bone_threshold_hu"), 0) + " HU"},
+          {"Fragments", fragments},
+          {"Target", target.at("kind").get<std::string>() + ", moves the skin by up to " +
+                         number(target.at("peak_displacement_mm"), 1) + " mm"},
+          {"Materials", plan.at("materials").get<std::string>()}};
+}
+
+std::vector<ReportFact> mesh_facts(const json& mesh)
+{
+  const json& skin = mesh.at("skin_to_ct_mm");
+  return {{"Prisms (skin)", std::to_string(mesh.at("prisms").get<int>())},
+          {"Tetrahedra (fat, muscle)", std::to_string(mesh.at("tets").get<int>())},
+          {"Nodes", std::to_string(mesh.at("nodes").get<int>())},
+          {"Degrees of freedom", std::to_string(mesh.at("dofs").get<int>())},
+          {"Smallest dihedral angle", number(mesh.at("min_dihedral_deg"), 1) + "°"},
+          {"Smallest scaled Jacobian of a prism", number(mesh.at("min_prism_scaled_jacobian"), 2)},
+          {"Mesh skin to CT skin", "95 % within " + number(skin.at("p95"), 2) + " mm, largest " +
+                                       number(skin.at("max"), 2) + " mm"}};
+}
+
+std::vector<std::string> warnings(const CaseSession& session, const json& plan)
+{
+  std::vector<std::string> list = plan.at("warnings").get<std::vector<std::string>>();
+  for (const json& note : read_json(session.folder.require("segment.json", "segment")).at("notes"))
+    list.push_back(note.get<std::string>());
+  return list;
+}
+
+} // namespace
+
+void report_case(CaseSession& session)
+{
+  const CaseFolder& folder = session.folder;
+  const json plan = read_json(folder.require("plan.json", "plan"));
+  session.progress("drawing pictures", 0.1);
+  CaseChange change(session.folder);
+  const Path picture_folder = change.file("pictures/x").parent_path();
+  ReportContent content;
+  for (const WrittenPicture& p : write_plan_pictures(plan_pictures(folder, plan), picture_folder))
+    if (p.belongs_in_report)
+      content.pictures.push_back({p.title, p.caption, p.path});
+
+  session.progress("writing the report", 0.9);
+  content.title = "FaceToBone plan: " + session.settings.name;
+  content.case_name = session.settings.name;
+  content.frame_note = "Right, anterior and superior are the scanner's axes.";
+  content.facts = case_facts(session, plan);
+  content.methods = report_methods(plan);
+  content.mesh_facts = mesh_facts(read_json(folder.require("mesh.json", "mesh")));
+  for (const char* step : {"segment", "cut", "mesh", "target", "plan", "total"})
+    content.timings.push_back({step, number(plan.at("timing_s").at(step), 1) + " s"});
+  content.warnings = warnings(session, plan);
+  write_html_report(change.file("report.html"), content);
+  change.commit("report");
+  session.progress("reported", 1);
+}
+
+} // namespace f2b

@@ -1,0 +1,106 @@
+#include "Bridge/grid_file.hpp"
+#include "Bridge/json_file.hpp"
+#include "Bridge/markups.hpp"
+#include "Bridge/material_file.hpp"
+#include "Case/verbs.hpp"
+#include "Core/error.hpp"
+#include "Imaging/read_ct.hpp"
+#include "Imaging/segment_head.hpp"
+#include "Meshing/isosurface.hpp"
+
+namespace f2b
+{
+namespace
+{
+
+using nlohmann::json;
+
+void require_file(const Path& path, const char* key)
+{
+  if (!path.empty() && !std::filesystem::is_regular_file(path))
+    throw Error(path.string(), "there is no such file", std::string("correct '") + key + "' in the case file");
+}
+
+/// What later steps will read is looked at now, not after minutes of work.
+void check_inputs(const CaseSettings& s)
+{
+  require_file(s.landmarks, "/landmarks");
+  require_file(s.target.mesh, "/target/mesh");
+  require_file(s.target.warp_from, "/target/warp/from");
+  require_file(s.target.warp_to, "/target/warp/to");
+  for (const OsteotomySettings& o : s.osteotomies)
+    for (const Path& planes : o.planes)
+    {
+      require_file(planes, "/osteotomies/planes");
+      (void)read_planes(planes);
+    }
+  (void)read_materials(s.materials);
+  const Landmarks landmarks = s.landmarks.empty() ? Landmarks{} : read_landmarks(s.landmarks);
+  for (const OsteotomySettings& o : s.osteotomies)
+    if (!o.template_name.empty())
+      (void)osteotomy_from_template(o.template_name, o.fragment, landmarks, o.kerf_mm);
+}
+
+SegmentOptions segment_options(const CaseSettings& s)
+{
+  SegmentOptions options;
+  options.skin_threshold_hu = s.skin_threshold_hu;
+  options.bone_threshold_hu = s.bone_threshold_hu;
+  options.region_ras = s.region_ras;
+  options.spacing_mm = s.spacing_mm;
+  options.head_closing_mm = s.head_closing_mm;
+  options.bone_closing_mm = s.bone_closing_mm;
+  options.skin_thickness_mm = s.skin_thickness_mm;
+  return options;
+}
+
+json surface_facts(vtkPolyData* surface)
+{
+  const SurfaceCheck check = check_surface(surface);
+  return {{"points", surface->GetNumberOfPoints()},
+          {"triangles", surface->GetNumberOfPolys()},
+          {"open_edges", check.open_edges},
+          {"non_manifold_edges", check.non_manifold_edges}};
+}
+
+} // namespace
+
+void segment_case(CaseSession& session)
+{
+  const Stopwatch watch;
+  check_inputs(session.settings);
+  session.progress("reading the CT", 0);
+  const CtImage::Pointer ct = read_ct(session.settings.ct);
+  const HeadSegmentation head = segment_head(*ct, segment_options(session.settings), session.progress);
+
+  session.progress("making surfaces", 0.8);
+  SurfaceOptions skin_options;
+  skin_options.largest_component = true;
+  const auto skin = watertight_isosurface(head.skin, 0, skin_options);
+  const auto bone = watertight_isosurface(head.bone, 0, {});
+
+  session.progress("writing", 0.9);
+  CaseChange change(session.folder);
+  write_json(change.file(case_settings_name), session.document);
+  write_grid(change.file("ct.nrrd"), head.hu);
+  write_grid(change.file("labels.nrrd"), head.labels);
+  write_grid(change.file("skin_distance.nrrd"), head.skin);
+  write_grid(change.file("bone_distance.nrrd"), head.bone);
+  write_grid(change.file("closed_bone_distance.nrrd"), head.closed_bone);
+  write_surface(change.file("skin.vtp"), skin);
+  write_surface(change.file("bone.vtp"), bone);
+  if (!session.settings.landmarks.empty())
+    write_landmarks(change.file("landmarks.mrk.json"), read_landmarks(session.settings.landmarks));
+  write_json(change.file("segment.json"),
+             {{"seconds", watch.seconds()},
+              {"skin_threshold_hu", head.skin_threshold_hu},
+              {"bone_threshold_hu", head.bone_threshold_hu},
+              {"region_ras", {{"min", to_json(head.region_ras.min)}, {"max", to_json(head.region_ras.max)}}},
+              {"skin", surface_facts(skin)},
+              {"bone", surface_facts(bone)},
+              {"notes", head.notes}});
+  change.commit("segment");
+  session.progress("segmented", 1);
+}
+
+} // namespace f2b

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "Case/case_session.hpp"
+
+/// What can be done with a case? Each verb reads files of the case and writes its own, all or none.
+///
+/// Every verb throws Error in one line when it cannot; the case is then as it was.
+namespace f2b
+{
+
+/// CT to distance maps, labels, the reference skin and the bone surface.
+void segment_case(CaseSession& session);
+/// Planes to fragments.
+void cut_case(CaseSession& session);
+/// Tissue to prisms on tetrahedra with their boundary parts.
+void mesh_case(CaseSession& session);
+/// The face that the patient should have, on the reference skin.
+void target_case(CaseSession& session);
+/// Movements of the fragments by both methods, and the faces that they give; plan.json.
+void plan_case(CaseSession& session);
+/// The face that stated movements give.
+void predict_case(CaseSession& session);
+/// Pictures and report.html.
+void report_case(CaseSession& session);
+
+/// All of them into a folder; what the folder held before stays until everything is done.
+void run_case(const nlohmann::json& document, const Path& source, const Path& folder,
+              const Progress& progress);
+
+struct SampleOptions
+{
+  double spacing_mm = 1.0;
+  double noise_sd_hu = 12;
+  double midface_retrusion_mm = 6;
+  bool streaks = false;
+  bool head_rest = false;
+  unsigned long seed = 1;
+};
+/// Writes the virtual patient's CT, landmarks, true surfaces and case.json into a folder that is
+/// empty or holds a sample.
+void write_sample(const Path& folder, const SampleOptions& options, const Progress& progress);
+
+} // namespace f2b

@@ -1,0 +1,220 @@
+#include "Bridge/json_file.hpp"
+#include "Case/verbs.hpp"
+#include "CommandLine/plan_table.hpp"
+#include "CommandLine/progress_bar.hpp"
+#include "CommandLine/stated_movement.hpp"
+#include "Core/error.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <functional>
+#include <iostream>
+#include <new>
+
+namespace
+{
+
+using namespace f2b;
+
+enum ExitCode
+{
+  ok = 0,
+  any_other = 1,
+  bad_input = 2,
+  numerical_failure = 3,
+};
+
+struct Arguments
+{
+  std::string case_file, folder;
+  bool quiet = false;
+  std::string target_mesh, warp_from, warp_to;
+  double warp_radius_mm = 45;
+  std::vector<std::string> movements;
+  SampleOptions sample;
+};
+
+using Action = std::function<void(const Arguments&, const Progress&)>;
+
+void print_plan(const Path& folder)
+{
+  std::cout << plan_table(read_json(folder / "plan.json"));
+  if (std::filesystem::exists(folder / "report.html"))
+    std::cout << "Report: " << std::filesystem::absolute(folder / "report.html").string() << "\n";
+}
+
+void run(const Arguments& a, const Progress& progress)
+{
+  run_case(read_json(a.case_file), a.case_file, a.folder, progress);
+}
+
+void segment(const Arguments& a, const Progress& progress)
+{
+  const nlohmann::json document = read_json(a.case_file);
+  require_inputs_elsewhere(parse_settings(document, a.case_file), a.folder);
+  CaseSession session(a.folder, document, a.case_file, progress);
+  segment_case(session);
+}
+
+/// Settings that the command line changes become part of the case.
+void change_settings(CaseSession& session, const Path& source)
+{
+  session.document = with_absolute_paths(session.document, source);
+  session.settings = parse_settings(session.document, source);
+}
+
+void target(const Arguments& a, const Progress& progress)
+{
+  CaseSession session = CaseSession::open(a.folder, progress);
+  nlohmann::json& target = session.document["target"];
+  const bool warp = !a.warp_from.empty() || !a.warp_to.empty();
+  if (!a.target_mesh.empty() || warp || !a.movements.empty())
+    target = nlohmann::json::object();
+  if (!a.target_mesh.empty())
+    target["mesh"] = a.target_mesh;
+  if (warp)
+    target["warp"] = {{"from", a.warp_from}, {"to", a.warp_to}, {"radius_mm", a.warp_radius_mm}};
+  if (!a.movements.empty())
+    target["from_movement"] = movements_from_arguments(a.movements);
+  change_settings(session, "./command line"); // paths start from where the user stands
+  target_case(session);
+}
+
+void predict(const Arguments& a, const Progress& progress)
+{
+  CaseSession session = CaseSession::open(a.folder, progress);
+  if (!a.movements.empty())
+    session.document["predict"] = movements_from_arguments(a.movements);
+  change_settings(session, "./command line");
+  predict_case(session);
+}
+
+/// Adds a verb that reads and writes one case folder.
+CLI::App* add_verb(CLI::App& app, Arguments& a, const char* name, const char* help)
+{
+  CLI::App* verb = app.add_subcommand(name, help);
+  verb->add_option("DIR", a.folder, "Case folder")->required();
+  return verb;
+}
+
+CLI::App* add_movements(CLI::App* verb, Arguments& a)
+{
+  verb->add_option("--movement", a.movements,
+                   "Movement of a fragment, NAME:right,anterior,superior,pitch,roll,yaw in mm and degrees, "
+                   "such as 'mid-face:2,11,-5,5,2.5,0'; may be repeated");
+  return verb;
+}
+
+CLI::App* add_case_verb(CLI::App& app, Arguments& a, const char* name, const char* help)
+{
+  CLI::App* verb = app.add_subcommand(name, help);
+  verb->add_option("CASE", a.case_file, "Case file (JSON; Resources/Schema/case.schema.json)")->required();
+  verb->add_option("-o,--output", a.folder, "Case folder to write")->required();
+  return verb;
+}
+
+void add_sample(CLI::App& app, Arguments& a, std::map<CLI::App*, Action>& actions)
+{
+  CLI::App* verb = app.add_subcommand("sample", "Make the virtual patient: CT, landmarks, true surfaces and case.json");
+  verb->add_option("-o,--out", a.folder, "Folder to write")->required();
+  verb->add_option("--spacing", a.sample.spacing_mm, "Voxel size [mm]")->check(CLI::Range(0.5, 3.0))->capture_default_str();
+  verb->add_option("--noise", a.sample.noise_sd_hu, "Standard deviation of the noise [HU]")->check(CLI::Range(0.0, 200.0))->capture_default_str();
+  verb->add_option("--retrusion", a.sample.midface_retrusion_mm, "How far the mid-face lies behind [mm]")->check(CLI::Range(0.0, 10.0))->capture_default_str();
+  verb->add_option("--seed", a.sample.seed, "Seed of the noise")->capture_default_str();
+  verb->add_flag("--streaks", a.sample.streaks, "Metal streaks from dental crowns");
+  verb->add_flag("--head-rest", a.sample.head_rest, "A head rest behind the head");
+  actions[verb] = [](const Arguments& args, const Progress& progress)
+  { write_sample(args.folder, args.sample, progress); };
+}
+
+Action on_case(void (*verb)(CaseSession&))
+{
+  return [verb](const Arguments& a, const Progress& progress)
+  {
+    CaseSession session = CaseSession::open(a.folder, progress);
+    verb(session);
+  };
+}
+
+std::map<CLI::App*, Action> add_verbs(CLI::App& app, Arguments& a)
+{
+  std::map<CLI::App*, Action> actions;
+  add_sample(app, a, actions);
+  actions[add_case_verb(app, a, "run", "Do everything: CT and target face in, plan and report out")] = run;
+  actions[add_case_verb(app, a, "segment", "Find skin and bone in the CT; begins a case folder")] = segment;
+  actions[add_verb(app, a, "cut", "Cut the bone into fragments")] = on_case(cut_case);
+  actions[add_verb(app, a, "mesh", "Mesh skin and soft tissue between face and bone")] = on_case(mesh_case);
+  CLI::App* target_verb = add_movements(add_verb(app, a, "target", "Make the target face"), a);
+  target_verb->add_option("--mesh", a.target_mesh, "The exported skin.vtp after editing (.vtp, .ply, .obj)");
+  auto* from = target_verb->add_option("--warp-from", a.warp_from, "Slicer fiducials on the face");
+  auto* to = target_verb->add_option("--warp-to", a.warp_to, "Where they should go, same labels");
+  from->needs(to);
+  to->needs(from);
+  target_verb->add_option("--warp-radius", a.warp_radius_mm, "No effect farther than this [mm]")->capture_default_str();
+  actions[target_verb] = target;
+  actions[add_verb(app, a, "plan", "Find the bone movements that give the target face")] = on_case(plan_case);
+  actions[add_movements(add_verb(app, a, "predict", "Predict the face that a bone movement gives"), a)] = predict;
+  actions[add_verb(app, a, "report", "Draw pictures and write report.html")] = on_case(report_case);
+  return actions;
+}
+
+int report_failure(const char* text, int code)
+{
+  std::cerr << "facetobone: " << text << "\n";
+  return code;
+}
+
+/// Every failure leaves here as one line and one exit code.
+int perform(const Action& action, const Arguments& a)
+{
+  try
+  {
+    ProgressBar bar(a.quiet);
+    action(a, bar.callback());
+    return ok;
+  }
+  catch (const Error& error)
+  {
+    return report_failure(error.what(), error.kind() == ErrorKind::Numerical ? numerical_failure : bad_input);
+  }
+  catch (const std::bad_alloc&)
+  {
+    return report_failure("memory ran out; use a lower mesh.density or a machine with more memory", any_other);
+  }
+  catch (const std::exception& error)
+  {
+    return report_failure(error.what(), any_other);
+  }
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  CLI::App app("FaceToBone plans cranio-maxillofacial surgery from the face backwards: give the face that the\n"
+               "patient should have and the bone cuts, and it computes how each fragment must move.\n"
+               "Research software, not a medical device.\n\n"
+               "Try:  facetobone sample -o patient && facetobone run patient/case.json -o plan");
+  app.set_version_flag("--version", std::string("facetobone ") + FACETOBONE_VERSION);
+  app.require_subcommand(1);
+  app.get_formatter()->column_width(32);
+  Arguments arguments;
+  app.add_flag("-q,--quiet", arguments.quiet, "No progress bar");
+  const std::map<CLI::App*, Action> actions = add_verbs(app, arguments);
+  try
+  {
+    app.parse(argc, argv);
+  }
+  catch (const CLI::ParseError& error)
+  {
+    const bool asked = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success);
+    app.exit(error);
+    return asked ? ok : bad_input;
+  }
+  CLI::App* verb = app.get_subcommands().front();
+  const int code = perform(actions.at(verb), arguments);
+  if (code == ok && (verb->get_name() == "run" || verb->get_name() == "plan"))
+    print_plan(arguments.folder);
+  return code;
+}

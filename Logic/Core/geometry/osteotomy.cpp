@@ -1,0 +1,336 @@
+#include "Core/geometry/osteotomy.hpp"
+
+#include "Core/error.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <map>
+
+namespace f2b
+{
+
+bool BoundedPlane::faces(const Vec3& p, double margin_mm) const
+{
+  const Vec3 d = p - center;
+  return std::abs(d.dot(u)) <= half_u + margin_mm && std::abs(d.dot(v)) <= half_v + margin_mm;
+}
+
+bool BoundedPlane::separates(const Vec3& p, const Vec3& q, Vec3& at) const
+{
+  const double a = signed_distance(p), b = signed_distance(q);
+  if ((a >= 0) == (b >= 0))
+    return false;
+  at = p + (q - p) * (a / (a - b));
+  return faces(at, 0);
+}
+
+namespace
+{
+
+using Label = unsigned char;
+constexpr Label undecided = 255;
+/// Connected bone smaller than this is an island: noise, or thin walls that the threshold broke.
+constexpr double island_mm3 = 1500;
+
+/// Floods the bone voxel by voxel, stopped by the planes.
+class Flood
+{
+public:
+  Flood(const ScalarGrid& bone, const ScalarGrid& closed_bone, const std::vector<Osteotomy>& cuts)
+      : m_bone(bone), m_closed(closed_bone), m_osteotomies(cuts)
+  {
+    for (const Osteotomy& osteotomy : cuts)
+      for (const BoundedPlane& plane : osteotomy.planes)
+        m_planes.push_back(&plane);
+  }
+
+  BonePartition run();
+
+private:
+  Vec3 position(std::size_t voxel) const
+  {
+    const auto x = static_cast<std::size_t>(m_bone.size.x()), y = static_cast<std::size_t>(m_bone.size.y());
+    return m_bone.position(static_cast<int>(voxel % x), static_cast<int>(voxel / x % y),
+                           static_cast<int>(voxel / (x * y)));
+  }
+  bool is_bone(std::size_t voxel) const { return m_bone.values[voxel] < 0; }
+  bool is_closed_bone(std::size_t voxel) const
+  {
+    return m_closed.values[voxel] < 0 || is_bone(voxel);
+  }
+  template <class Visit>
+  void for_each_neighbor(std::size_t voxel, Visit visit) const;
+  const BoundedPlane* blocking(const Vec3& p, const Vec3& q, Vec3& at) const;
+  void find_components();
+  int component_at(const Osteotomy& osteotomy) const;
+  void name_components();
+  void spread();
+  void collect_cuts();
+
+  const ScalarGrid& m_bone;
+  const ScalarGrid& m_closed;
+  const std::vector<Osteotomy>& m_osteotomies;
+  std::vector<const BoundedPlane*> m_planes;
+  std::vector<int> m_component;      ///< per voxel: connected actual bone, or -1
+  std::vector<std::size_t> m_sizes;  ///< voxels per component
+  std::vector<Label> m_label;        ///< per voxel
+  BonePartition m_result;
+};
+
+template <class Visit>
+void Flood::for_each_neighbor(std::size_t voxel, Visit visit) const
+{
+  const auto nx = static_cast<std::size_t>(m_bone.size.x()), ny = static_cast<std::size_t>(m_bone.size.y()),
+             nz = static_cast<std::size_t>(m_bone.size.z());
+  const std::size_t i = voxel % nx, j = voxel / nx % ny, k = voxel / (nx * ny);
+  if (i > 0)
+    visit(voxel - 1);
+  if (i + 1 < nx)
+    visit(voxel + 1);
+  if (j > 0)
+    visit(voxel - nx);
+  if (j + 1 < ny)
+    visit(voxel + nx);
+  if (k > 0)
+    visit(voxel - nx * ny);
+  if (k + 1 < nz)
+    visit(voxel + nx * ny);
+}
+
+const BoundedPlane* Flood::blocking(const Vec3& p, const Vec3& q, Vec3& at) const
+{
+  for (const BoundedPlane* plane : m_planes)
+    if (plane->separates(p, q, at))
+      return plane;
+  return nullptr;
+}
+
+void Flood::find_components()
+{
+  m_component.assign(m_bone.values.size(), -1);
+  std::vector<std::size_t> front;
+  Vec3 at;
+  for (std::size_t start = 0; start < m_component.size(); ++start)
+  {
+    if (!is_bone(start) || m_component[start] >= 0)
+      continue;
+    const int id = static_cast<int>(m_sizes.size());
+    m_sizes.push_back(0);
+    m_component[start] = id;
+    front.assign(1, start);
+    while (!front.empty())
+    {
+      const std::size_t voxel = front.back();
+      front.pop_back();
+      ++m_sizes.back();
+      const Vec3 p = position(voxel);
+      for_each_neighbor(voxel,
+                        [&](std::size_t next)
+                        {
+                          if (!is_bone(next) || m_component[next] >= 0 || blocking(p, position(next), at))
+                            return;
+                          m_component[next] = id;
+                          front.push_back(next);
+                        });
+    }
+  }
+}
+
+/// The connected bone, not an island, that lies nearest to the fragment's point.
+int Flood::component_at(const Osteotomy& osteotomy) const
+{
+  constexpr double reach_mm = 10;
+  double nearest = reach_mm;
+  int found = -1;
+  const double voxel_mm3 = std::pow(m_bone.spacing, 3);
+  for (std::size_t voxel = 0; voxel < m_component.size(); ++voxel)
+  {
+    const int id = m_component[voxel];
+    if (id < 0 || static_cast<double>(m_sizes[static_cast<std::size_t>(id)]) * voxel_mm3 < island_mm3)
+      continue;
+    const double distance = (position(voxel) - osteotomy.fragment_point).norm();
+    if (distance < nearest)
+    {
+      nearest = distance;
+      found = id;
+    }
+  }
+  if (found < 0)
+    throw Error("osteotomy '" + osteotomy.fragment + "'",
+                "no connected bone of at least 1.5 cm3 lies within 10 mm of its fragment point",
+                "move the fragment point (or the landmark that it comes from) onto the bone that is "
+                "to be free, or check the planes");
+  return found;
+}
+
+void Flood::name_components()
+{
+  const double voxel_mm3 = std::pow(m_bone.spacing, 3);
+  std::vector<Label> name(m_sizes.size(), BonePartition::uncut);
+  for (std::size_t id = 0; id < m_sizes.size(); ++id)
+    if (static_cast<double>(m_sizes[id]) * voxel_mm3 < island_mm3)
+      name[id] = undecided;
+  for (std::size_t k = 0; k < m_osteotomies.size(); ++k)
+  {
+    const auto id = static_cast<std::size_t>(component_at(m_osteotomies[k]));
+    if (name[id] != BonePartition::uncut)
+      throw Error("osteotomies '" + m_osteotomies[name[id] - BonePartition::first_fragment].fragment +
+                      "' and '" + m_osteotomies[k].fragment + "'",
+                  "free the same piece of bone", "add a plane between them, or remove one of them");
+    name[id] = static_cast<Label>(BonePartition::first_fragment + k);
+  }
+  m_label.assign(m_component.size(), BonePartition::no_bone);
+  for (std::size_t voxel = 0; voxel < m_label.size(); ++voxel)
+    if (m_component[voxel] >= 0)
+      m_label[voxel] = name[static_cast<std::size_t>(m_component[voxel])];
+    else if (is_closed_bone(voxel))
+      m_label[voxel] = undecided;
+}
+
+/// Gives cavities and islands the label of the nearest named bone, not through a cut where another
+/// way exists.
+void Flood::spread()
+{
+  Vec3 at;
+  for (const bool through_cuts : {false, true})
+  {
+    std::vector<std::size_t> front;
+    for (std::size_t voxel = 0; voxel < m_label.size(); ++voxel)
+      if (m_label[voxel] != BonePartition::no_bone && m_label[voxel] != undecided)
+        front.push_back(voxel);
+    while (!front.empty())
+    {
+      std::vector<std::size_t> next_front;
+      for (const std::size_t voxel : front)
+      {
+        const Vec3 p = position(voxel);
+        for_each_neighbor(voxel,
+                          [&](std::size_t next)
+                          {
+                            if (m_label[next] != undecided ||
+                                (!through_cuts && blocking(p, position(next), at)))
+                              return;
+                            m_label[next] = m_label[voxel];
+                            next_front.push_back(next);
+                          });
+      }
+      front = std::move(next_front);
+    }
+  }
+  for (Label& label : m_label)
+    if (label == undecided)
+      label = BonePartition::uncut;
+}
+
+/// Checks every plane against the bone on its two sides, and keeps the points of the cut faces.
+void Flood::collect_cuts()
+{
+  struct Sides
+  {
+    std::size_t hits = 0, through_fragment = 0;
+  };
+  std::map<const BoundedPlane*, Sides> sides;
+  m_result.cut_points.resize(m_osteotomies.size());
+  Vec3 at;
+  for (std::size_t voxel = 0; voxel < m_label.size(); ++voxel)
+  {
+    if (m_label[voxel] == BonePartition::no_bone)
+      continue;
+    const Vec3 p = position(voxel);
+    for_each_neighbor(
+        voxel,
+        [&](std::size_t next)
+        {
+          if (next < voxel || m_label[next] == BonePartition::no_bone)
+            return;
+          const Label a = m_label[voxel], b = m_label[next];
+          const BoundedPlane* plane = blocking(p, position(next), at);
+          if (plane && is_bone(voxel) && is_bone(next))
+          {
+            ++sides[plane].hits;
+            sides[plane].through_fragment += a == b && a >= BonePartition::first_fragment;
+          }
+          if (a == b)
+            return;
+          for (const Label label : {a, b})
+            if (label >= BonePartition::first_fragment)
+              m_result.cut_points[label - BonePartition::first_fragment].push_back(
+                  plane ? at : Vec3(0.5 * (p + position(next))));
+        });
+  }
+  for (const Osteotomy& osteotomy : m_osteotomies)
+    for (const BoundedPlane& plane : osteotomy.planes)
+    {
+      const Sides& s = sides[&plane];
+      const std::string who = "osteotomy '" + osteotomy.fragment + "', plane '" + plane.name + "'";
+      if (s.hits == 0)
+        throw Error(who, "it misses the bone", "move or enlarge the plane until it crosses the bone");
+      char share[32];
+      std::snprintf(share, sizeof share, "%.0f", 100.0 * static_cast<double>(s.through_fragment) /
+                                                     static_cast<double>(s.hits));
+      if (static_cast<double>(s.through_fragment) > 0.3 * static_cast<double>(s.hits))
+        throw Error(who,
+                    "the cuts do not free the fragment: " + std::string(share) +
+                        " % of this plane has the same fragment on both sides",
+                    "enlarge the planes or add one until they part the fragment from the skull");
+    }
+}
+
+BonePartition Flood::run()
+{
+  m_result.osteotomies = m_osteotomies;
+  find_components();
+  name_components();
+  spread();
+  collect_cuts();
+  m_result.labels = {m_bone.origin, m_bone.spacing, m_bone.size, std::move(m_label)};
+  m_result.fragment_volume_mm3.assign(m_osteotomies.size(), 0);
+  for (std::size_t voxel = 0; voxel < m_bone.values.size(); ++voxel)
+    if (is_bone(voxel) && m_result.labels.values[voxel] >= BonePartition::first_fragment)
+      m_result.fragment_volume_mm3[m_result.labels.values[voxel] - BonePartition::first_fragment] +=
+          std::pow(m_bone.spacing, 3);
+  return std::move(m_result);
+}
+
+} // namespace
+
+BonePartition cut_bone(const ScalarGrid& bone, const ScalarGrid& closed_bone,
+                       const std::vector<Osteotomy>& osteotomies)
+{
+  return Flood(bone, closed_bone, osteotomies).run();
+}
+
+ScalarGrid part_field(const ScalarGrid& bone, const BonePartition& partition, unsigned char label)
+{
+  ScalarGrid field = bone;
+  std::size_t voxel = 0;
+  for (int k = 0; k < bone.size.z(); ++k)
+    for (int j = 0; j < bone.size.y(); ++j)
+      for (int i = 0; i < bone.size.x(); ++i, ++voxel)
+      {
+        if (bone.values[voxel] > 2 * bone.spacing)
+          continue;
+        const Vec3 p = bone.position(i, j, k);
+        // distance to the nearest saw, and half of what it takes away
+        double saw = std::numeric_limits<double>::infinity(), half_kerf = 0;
+        for (const Osteotomy& osteotomy : partition.osteotomies)
+          for (const BoundedPlane& plane : osteotomy.planes)
+            if (plane.faces(p, 0.5 * bone.spacing) && std::abs(plane.signed_distance(p)) < saw)
+            {
+              saw = std::abs(plane.signed_distance(p));
+              half_kerf = 0.5 * osteotomy.kerf_mm;
+            }
+        const double inside = bone.values[voxel];
+        const unsigned char here = partition.labels.values[voxel];
+        const double other_side = saw < 2 * bone.spacing ? half_kerf + saw : 0.5 * bone.spacing;
+        const double value = here == label || here == BonePartition::no_bone
+                                 ? std::max(inside, half_kerf - saw)
+                                 : std::max(inside, other_side);
+        field.values[voxel] = static_cast<float>(value);
+      }
+  return field;
+}
+
+} // namespace f2b

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "Core/geometry/osteotomy.hpp"
+
+#include <map>
+
+/// Where do the usual osteotomies lie on this patient?
+namespace f2b
+{
+
+/// Named anatomical points [mm, RAS].
+using Landmarks = std::map<std::string, Vec3>;
+
+/// The names that `osteotomy_from_template` knows.
+std::vector<std::string> osteotomy_template_names();
+
+/// Places a template's planes by landmarks, as a first cut that the surgeon edits.
+///
+/// - `le-fort-1`: level of the piriform rim, 5 mm above the palatal plane; behind the tuberosities;
+///   between the tooth rows. Needs ANS, PNS, Or_R, Or_L, U1, U6_R, U6_L.
+/// - `le-fort-3`: nasofrontal suture through the orbits to the pterygomaxillary junction; arches;
+///   between the tooth rows. Needs N and the landmarks above.
+/// - `genioplasty`: from below B back to the lower border of the mandible. Needs Or_R, Or_L, B, Pg,
+///   Me, Go_R, Go_L.
+/// \param fragment  name of the freed fragment
+/// Throws Error naming the template or the landmark that is not there.
+Osteotomy osteotomy_from_template(const std::string& name, const std::string& fragment,
+                                  const Landmarks& landmarks, double kerf_mm);
+
+} // namespace f2b

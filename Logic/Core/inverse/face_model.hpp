@@ -1,0 +1,56 @@
+#pragma once
+
+#include "Core/assembly/elastic_model.hpp"
+#include "Core/geometry/rigid_motion.hpp"
+#include "Core/mesh/skin_map.hpp"
+#include "Core/solve/equilibrium.hpp"
+
+/// What do the forward and the inverse problem share?
+namespace f2b
+{
+
+/// The face that is planned. All parts outlive the solves that use it.
+struct FaceModel
+{
+  const MixedMesh& mesh;
+  const MaterialSet& materials;
+  const SkinMap& skin_map;
+  std::vector<double> skin_area;        ///< per reference-skin vertex, 0 where it does not count [mm^2]
+  std::vector<Vec3> reference_points;   ///< per fragment, that its movement is told about [mm]
+};
+
+/// What the face should become: a displacement and a weight per reference-skin vertex.
+struct SkinTarget
+{
+  std::vector<Vec3> displacement; ///< [mm]
+  std::vector<double> weight;     ///< >= 0; 0: the face may do there as it likes
+};
+
+/// Which nodes have a given position?
+enum class Held
+{
+  BoneAndFragments, ///< Gamma_c, Gamma_n and the crop walls: fragments are moved
+  BoneOnly,         ///< Gamma_c and the crop walls: Gamma_n is free of traction
+};
+std::vector<char> held_nodes(const MixedMesh& mesh, Held held);
+
+/// Positions of all nodes with each fragment's nodes moved rigidly and the others at rest.
+std::vector<Vec3> with_fragments_moved(const MixedMesh& mesh, const std::vector<RigidMotion>& motions);
+
+/// Rest motions, one per fragment, about the model's reference points.
+std::vector<RigidMotion> rest_motions(const FaceModel& face);
+
+/// The face that a movement of the fragments gives.
+struct Prediction
+{
+  std::vector<Vec3> x;                 ///< positions of the mesh nodes [mm]
+  std::vector<Vec3> skin_displacement; ///< of the reference skin [mm]
+  EquilibriumSummary summary;
+};
+
+/// Solves the forward problem (paper Experiment 3, step 2). Where the load cannot be reached, the
+/// summary says so and the fields hold the last accepted state.
+Prediction predict_face(const FaceModel& face, const std::vector<RigidMotion>& motions,
+                        const EquilibriumOptions& options, const Progress& progress);
+
+} // namespace f2b

@@ -1,0 +1,141 @@
+#include "Imaging/read_ct.hpp"
+
+#include "Core/error.hpp"
+#include "Imaging/dicom_series.hpp"
+#include "Imaging/quiet_streams.hpp"
+#include "Imaging/volume_header.hpp"
+#include "Imaging/voxel_buffer.hpp"
+
+#include <itkMetaImageIO.h>
+#include <itkNiftiImageIO.h>
+#include <itkNrrdImageIO.h>
+
+#include <algorithm>
+
+namespace f2b
+{
+namespace
+{
+
+namespace fs = std::filesystem;
+
+bool ends_with(const std::string& text, const std::string& end)
+{
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+std::string lower_name(const fs::path& path)
+{
+  std::string name = path.filename().string();
+  std::transform(name.begin(), name.end(), name.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return name;
+}
+
+/// The reader for a file's name, after the checks that ITK leaves out; null for other names.
+itk::ImageIOBase::Pointer checked_reader(const fs::path& path)
+{
+  const std::string name = lower_name(path);
+  if (ends_with(name, ".nrrd") || ends_with(name, ".nhdr"))
+  {
+    check_nrrd(path);
+    return itk::NrrdImageIO::New().GetPointer();
+  }
+  if (ends_with(name, ".mha") || ends_with(name, ".mhd"))
+  {
+    check_meta_image(path);
+    return itk::MetaImageIO::New().GetPointer();
+  }
+  if (ends_with(name, ".nii") || ends_with(name, ".nii.gz"))
+  {
+    check_nifti(path);
+    return itk::NiftiImageIO::New().GetPointer();
+  }
+  return nullptr;
+}
+
+CtImage::Pointer read_volume(itk::ImageIOBase& io, const std::string& name)
+{
+  io.SetFileName(name);
+  io.ReadImageInformation();
+  require_hounsfield_type(io, name);
+  if (io.GetNumberOfDimensions() != 3)
+    throw Error(name, "has " + std::to_string(io.GetNumberOfDimensions()) + " dimensions",
+                "give one CT volume of three dimensions");
+  CtImage::SizeType size;
+  CtImage::SpacingType spacing;
+  CtImage::PointType origin;
+  CtImage::DirectionType direction;
+  for (unsigned a = 0; a < 3; ++a)
+  {
+    size[a] = io.GetDimensions(a);
+    spacing[a] = io.GetSpacing(a);
+    origin[a] = io.GetOrigin(a);
+    for (unsigned row = 0; row < 3; ++row)
+      direction(row, a) = io.GetDirection(a)[row];
+  }
+  const CtImage::Pointer ct = make_image(size, spacing, origin, direction, name);
+  read_voxels(io, name, ct->GetBufferPointer());
+  return ct;
+}
+
+CtImage::Pointer read_file(const fs::path& path)
+{
+  const itk::ImageIOBase::Pointer io = checked_reader(path);
+  if (!io)
+    throw Error(path.string(), "is not of a known image format",
+                "give a DICOM folder, .nrrd, .nhdr, .mha, .mhd, .nii or .nii.gz file");
+  const QuietStreams quiet;
+  try
+  {
+    return read_volume(*io, path.string());
+  }
+  catch (const itk::ExceptionObject& error)
+  {
+    std::string reason = error.GetDescription();
+    // Of the reader's stack of complaints the last one says what is wrong.
+    while (!reason.empty() && (reason.back() == '\n' || reason.back() == ' '))
+      reason.pop_back();
+    const std::size_t last = reason.rfind('\n');
+    throw Error(path.string(),
+                "cannot be read or is truncated: " +
+                    first_line(last == std::string::npos ? reason : reason.substr(last + 1)),
+                "copy or export the file again");
+  }
+}
+
+/// A CT shows air around the head and bone in it.
+void require_hounsfield_values(const CtImage& ct, const std::string& name)
+{
+  const short* voxels = ct.GetBufferPointer();
+  const std::size_t count = ct.GetBufferedRegion().GetNumberOfPixels();
+  const auto air = std::count_if(voxels, voxels + count, [](short v) { return v < -500; });
+  const auto [lowest, highest] = std::minmax_element(voxels, voxels + count);
+  if (static_cast<double>(air) >= 0.005 * static_cast<double>(count) && *highest > 200)
+    return;
+  throw Error(name,
+              "does not look like a CT: values run from " + std::to_string(*lowest) + " to " +
+                  std::to_string(*highest) + ", " +
+                  (*highest > 200 ? "hardly any below -500 HU (air)" : "none above 200 HU (bone)"),
+              "give a CT in Hounsfield units, not an MR or a rescaled image");
+}
+
+} // namespace
+
+CtImage::Pointer read_ct(const fs::path& path, std::vector<std::string>* notes)
+{
+  if (!fs::exists(path))
+    throw Error(path.string(), "does not exist", "check the path of the CT");
+  std::vector<std::string> ignored;
+  CtImage::Pointer ct;
+  if (fs::is_directory(path))
+    ct = read_dicom_folder(path, notes ? *notes : ignored);
+  else if (lower_name(path).find(".dcm") != std::string::npos || !path.has_extension())
+    ct = read_dicom_folder(fs::absolute(path).parent_path(), notes ? *notes : ignored);
+  else
+    ct = read_file(path);
+  require_hounsfield_values(*ct, path.string());
+  return ct;
+}
+
+} // namespace f2b

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "Imaging/ct_image.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+/// Which CT does a file or folder hold?
+namespace f2b
+{
+
+/// Reads a DICOM folder, a NRRD (.nrrd, .nhdr), MetaImage (.mha, .mhd) or NIfTI (.nii, .nii.gz) file.
+///
+/// Voxels are Hounsfield units, rounded to whole ones. A path to one DICOM file means its folder.
+/// \param notes  gets what was left out, a sentence each, if not null
+/// \throws Error  whatever is wrong with it, in one line with the file's name, the value and a remedy
+CtImage::Pointer read_ct(const std::filesystem::path& path,
+                         std::vector<std::string>* notes = nullptr);
+
+} // namespace f2b

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "Core/geometry/scalar_grid.hpp"
+
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+
+#include <cstddef>
+
+/// Which closed surface bounds the inside of a sampled signed distance? Positions in mm, RAS.
+namespace f2b
+{
+
+struct SurfaceOptions
+{
+  double target_edge_mm = 0.0;     ///< mean edge after decimation; 0 keeps the grid's own triangles
+  int smoothing_iterations = 15;   ///< of a windowed sinc filter; 0 for none
+  double smoothing_pass_band = 0.1; ///< lower is smoother, in (0, 2)
+  bool largest_component = false;  ///< drop all other pieces and inner cavities
+};
+
+/// The surface on which `grid` takes the value `level`, closed where the inside (below the level)
+/// meets the walls of the grid's box. Triangles face outwards; point normals included.
+///
+/// Decimation that would open the surface or make an edge of more than two triangles is undone.
+vtkSmartPointer<vtkPolyData> watertight_isosurface(const ScalarGrid& grid, double level = 0.0,
+                                                   const SurfaceOptions& options = {});
+
+struct SurfaceCheck
+{
+  std::size_t open_edges = 0;         ///< of one triangle
+  std::size_t non_manifold_edges = 0; ///< of more than two triangles, or of two that disagree
+  std::size_t components = 0;
+  double area_mm2 = 0.0;
+  double volume_mm3 = 0.0; ///< positive if the triangles face outwards
+  bool watertight() const { return open_edges == 0 && non_manifold_edges == 0; }
+};
+
+SurfaceCheck check_surface(vtkPolyData* surface);
+
+} // namespace f2b

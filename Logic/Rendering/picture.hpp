@@ -1,0 +1,60 @@
+#pragma once
+
+#include <vtkImageData.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
+
+#include <filesystem>
+#include <vector>
+
+/// How do 3D panels side by side become one PNG? Offscreen, lit, smoothed, without a window.
+namespace f2b
+{
+
+using Image = vtkSmartPointer<vtkImageData>; ///< 8 bit RGB, origin bottom left
+
+struct PixelSize
+{
+  int width = 1200;
+  int height = 1000;
+};
+
+/// One part of a picture: a 3D scene with three-point light, and what is drawn in front of it.
+///
+/// Annotations are placed in output pixels from the panel's bottom left corner; `scale` is the
+/// number of drawn pixels per output pixel.
+struct Panel
+{
+  vtkSmartPointer<vtkRenderer> scene;
+  vtkSmartPointer<vtkRenderer> front; ///< same camera as `scene`, always in front of it
+  PixelSize size;
+  double scale = 1;
+  double type_scale = 1; ///< letters are larger where several panels share a page's width
+};
+
+class Picture
+{
+public:
+  /// \param panels      number of panels from left to right
+  /// \param panel_size  of each, in output pixels
+  Picture(int panels, PixelSize panel_size);
+
+  const Panel& panel(int index) const { return m_panels.at(static_cast<std::size_t>(index)); }
+
+  /// \throws f2b::Error when VTK cannot draw
+  Image render();
+
+private:
+  void add_panel(int index, int count, PixelSize size);
+
+  vtkSmartPointer<vtkRenderWindow> m_window;
+  std::vector<Panel> m_panels;
+  PixelSize m_size;
+};
+
+/// Writes a PNG whole or not at all.
+/// \throws f2b::Error naming `path` when the folder is not writable or the disk is full
+void write_png(const Image& image, const std::filesystem::path& path);
+
+} // namespace f2b

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <Rendering/colour_maps.hpp>
+#include <Rendering/picture.hpp>
+#include <Rendering/plan_scene.hpp>
+
+#include <string>
+
+/// How do skin, bone, ghosts, maps and arrows look?
+namespace f2b
+{
+
+constexpr Colour skin_colour{0.92, 0.73, 0.63};
+constexpr Colour bone_colour{0.93, 0.87, 0.73};
+constexpr Colour ghost_colour{0.42, 0.47, 0.55};
+constexpr Colour cut_colour{0.72, 0.05, 0.27};
+constexpr Colour arrow_colour{0.10, 0.10, 0.12};
+constexpr double ghost_opacity = 0.28;
+
+void add_skin(const Panel& panel, const Surface& surface, double opacity = 1);
+void add_bone(const Panel& panel, const Surface& surface, const Colour& colour);
+/// Where something was: translucent.
+void add_ghost(const Panel& panel, const Surface& surface);
+/// A point array in colours, lit softly so that the colours stay those of the bar.
+void add_map(const Panel& panel, const Surface& surface, const std::string& array,
+             vtkLookupTable* map);
+/// Planes of cuts, translucent, their outline always in front.
+void add_planes(const Panel& panel, const Surface& planes);
+
+/// An arrow from one point to another [mm, RAS], always in front.
+/// \param thickness_mm  of its shaft
+void add_arrow(const Panel& panel, const std::array<double, 3>& from,
+               const std::array<double, 3>& to, double thickness_mm);
+
+} // namespace f2b

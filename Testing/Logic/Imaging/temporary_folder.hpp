@@ -1,0 +1,47 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+namespace f2b::test
+{
+
+/// A folder of the running test's own, with a space and an umlaut in its name; gone afterwards.
+class TemporaryFolder
+{
+public:
+  TemporaryFolder()
+  {
+    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    m_path = std::filesystem::temp_directory_path() /
+             (std::string("f2b schädel ") + test->test_suite_name() + "." + test->name());
+    std::filesystem::remove_all(m_path);
+    std::filesystem::create_directories(m_path);
+  }
+  ~TemporaryFolder() { std::filesystem::remove_all(m_path); }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  std::filesystem::path operator/(const std::string& name) const { return m_path / name; }
+  const std::filesystem::path& path() const { return m_path; }
+
+  std::filesystem::path write(const std::string& name, const std::string& bytes) const
+  {
+    std::ofstream(m_path / name, std::ios::binary) << bytes;
+    return m_path / name;
+  }
+
+private:
+  std::filesystem::path m_path;
+};
+
+/// Drops the last `bytes` of a file.
+inline void cut_off(const std::filesystem::path& file, std::uintmax_t bytes)
+{
+  std::filesystem::resize_file(file, std::filesystem::file_size(file) - bytes);
+}
+
+} // namespace f2b::test
