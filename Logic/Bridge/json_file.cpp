@@ -23,6 +23,10 @@ nlohmann::json read_json(const std::filesystem::path& path)
   {
     return nlohmann::json::parse(content);
   }
+  catch (const nlohmann::json::out_of_range&)
+  {
+    throw Error(path.string(), "it holds a number that is too large", "correct the number");
+  }
   catch (const nlohmann::json::parse_error& error)
   {
     const auto byte = static_cast<std::ptrdiff_t>(std::min<std::size_t>(error.byte, content.size()));

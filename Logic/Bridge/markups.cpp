@@ -22,7 +22,9 @@ constexpr const char* schema =
 /// Minus one on the axes that LPS counts the other way.
 Vec3 flip_of(const json& markup, const path& file)
 {
-  const std::string frame = markup.value("coordinateSystem", "LPS");
+  const json stated = markup.value("coordinateSystem", json("LPS"));
+  // early Slicer 5 wrote the number of an enumeration
+  const std::string frame = stated.is_string() ? stated.get<std::string>() : stated.dump();
   if (frame == "LPS" || frame == "0")
     return {-1, -1, 1};
   if (frame == "RAS" || frame == "1")
@@ -100,21 +102,45 @@ json markup_json(const std::string& type, const std::vector<ControlPoint>& point
   return markup;
 }
 
+void require_point_type(const std::string& type, const path& file)
+{
+  for (const char* known : {"Fiducial", "Line", "Curve", "ClosedCurve"})
+    if (type == known)
+      return;
+  throw Error(file.string(), "its markup is a '" + type + "'",
+              "give a Fiducial, Line, Curve or ClosedCurve");
+}
+
+/// Runs a decoder of a file; a field of the wrong type becomes an Error.
+template <class Decoder>
+auto decoded(const path& file, Decoder decoder)
+{
+  try
+  {
+    return decoder();
+  }
+  catch (const json::exception&)
+  {
+    throw Error(file.string(), "a markup has a field of the wrong type", "save it again from Slicer");
+  }
+}
+
 } // namespace
 
 PointMarkup read_points(const path& file)
 {
-  const json markup = markups_of(file).front();
-  PointMarkup result;
-  result.type = markup.value("type", "");
-  for (const char* known : {"Fiducial", "Line", "Curve", "ClosedCurve"})
-    if (result.type == known)
-    {
-      result.points = control_points(markup, file);
-      return result;
-    }
-  throw Error(file.string(), "its markup is a '" + result.type + "'",
-              "give a Fiducial, Line, Curve or ClosedCurve");
+  const json markups = markups_of(file);
+  return decoded(file,
+                 [&]
+                 {
+                   PointMarkup result;
+                   result.type = markups.front().value("type", "");
+                   require_point_type(result.type, file);
+                   result.points = control_points(markups.front(), file);
+                   if (result.points.empty())
+                     throw Error(file.string(), "it holds no points", "place them in Slicer and save again");
+                   return result;
+                 });
 }
 
 void write_points(const path& file, const PointMarkup& markup)
@@ -254,19 +280,15 @@ std::vector<BoundedPlane> read_planes(const path& file)
 {
   std::vector<BoundedPlane> planes;
   for (const json& markup : markups_of(file))
-  {
-    if (markup.value("type", "") != "Plane")
-      throw Error(file.string(), "it holds a '" + markup.value("type", "") + "' markup",
-                  "give Plane markups only");
-    try
-    {
-      planes.push_back(plane_from(markup, file));
-    }
-    catch (const json::exception& error)
-    {
-      throw Error(file.string(), "a plane has a field of the wrong type", "save it again from Slicer");
-    }
-  }
+    planes.push_back(decoded(file,
+                             [&]
+                             {
+                               const std::string type = markup.value("type", "");
+                               if (type != "Plane")
+                                 throw Error(file.string(), "it holds a '" + type + "' markup",
+                                             "give Plane markups only");
+                               return plane_from(markup, file);
+                             }));
   return planes;
 }
 

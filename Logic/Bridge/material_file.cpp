@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include <cmath>
+#include <filesystem>
 
 namespace f2b
 {
@@ -18,15 +18,24 @@ using nlohmann::json;
 double number(const json& tissue, const std::string& source, const std::string& where)
 {
   const std::string key = where.substr(where.rfind('/') + 1);
-  if (!tissue.contains(key) || !tissue[key].is_number() || !std::isfinite(tissue[key].get<double>()))
-    throw Error(source, where + " is missing or not a number", "give it as a number");
+  if (!tissue.contains(key))
+    throw Error(source, where + " is missing", "give it as a number");
+  if (!tissue[key].is_number())
+    throw Error(source, where + " is " + tissue[key].dump(), "give it as a number");
   return tissue[key].get<double>();
+}
+
+/// What a key holds if it is a text; else nothing.
+std::string text(const json& object, const char* key)
+{
+  const auto found = object.is_object() ? object.find(key) : object.end();
+  return found != object.end() && found->is_string() ? found->get<std::string>() : "";
 }
 
 Yeoh law_from(const json& tissue, const std::string& source, const std::string& where)
 {
-  if (!tissue.is_object() || tissue.value("law", "") != "yeoh")
-    throw Error(source, where + "/law is not 'yeoh'", "give the tissue a Yeoh law");
+  if (text(tissue, "law") != "yeoh")
+    throw Error(source, where + "/law is '" + text(tissue, "law") + "', not 'yeoh'", "give the tissue a Yeoh law");
   Yeoh law;
   law.c1 = number(tissue, source, where + "/c1");
   law.c2 = number(tissue, source, where + "/c2");
@@ -43,25 +52,33 @@ Yeoh law_from(const json& tissue, const std::string& source, const std::string& 
   return law;
 }
 
+json document_of(const std::string& path)
+{
+  if (!std::filesystem::is_regular_file(path))
+    throw Error(path, "there is no such material file", "use table1-stable or give a file of its form");
+  return read_json(path);
+}
+
 } // namespace
 
 MaterialSet read_materials(const std::string& name_or_path)
 {
   const std::string* carried = carried_resource("Materials/" + name_or_path + ".json");
-  const json document = carried ? json::parse(*carried) : read_json(name_or_path);
+  const json document = carried ? json::parse(*carried) : document_of(name_or_path);
   const std::string source = carried ? "materials '" + name_or_path + "'" : name_or_path;
-  if (!document.is_object() || document.value("units", "") != "MPa" ||
-      document.value("volumetric_law", "") != "barrier")
-    throw Error(source, "it does not state units MPa and volumetric_law barrier",
-                "see Resources/Materials/table1-stable.json");
+  for (const auto& [key, needed] : {std::pair{"units", "MPa"}, {"volumetric_law", "barrier"}})
+    if (text(document, key) != needed)
+      throw Error(source, std::string(key) + " is not '" + needed + "'",
+                  std::string("state it, and give the values so: \"") + key + "\": \"" + needed + "\"");
   MaterialSet set;
-  set.name = document.value("name", name_or_path);
-  const json tissues = document.value("tissues", json::object());
+  set.name = document.contains("name") ? text(document, "name") : name_or_path;
+  const json tissues = document.value("tissues", json());
   const std::pair<const char*, Tissue> known[] = {
       {"skin", Tissue::Skin}, {"fat", Tissue::Fat}, {"muscle", Tissue::Muscle}};
   for (const auto& [name, tissue] : known)
     set.laws[static_cast<std::size_t>(tissue)] =
-        law_from(tissues.value(name, json()), source, std::string("tissues/") + name);
+        law_from(tissues.is_object() ? tissues.value(name, json()) : json(), source,
+                 std::string("tissues/") + name);
   return set;
 }
 

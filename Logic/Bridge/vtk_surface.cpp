@@ -227,9 +227,10 @@ vtkSmartPointer<vtkPolyData> flipped(vtkPolyData* surface)
   for (int a = 0; a < vectors->GetPointData()->GetNumberOfArrays(); ++a)
   {
     vtkDataArray* array = vectors->GetPointData()->GetArray(a);
-    if (!array || array->GetNumberOfComponents() != 3)
+    // triples of integers are colours
+    if (!array || !array->GetName() || array->GetNumberOfComponents() != 3 || array->IsIntegral())
       continue;
-    std::vector<Vec3> values = point_vectors(surface, array->GetName() ? array->GetName() : "");
+    std::vector<Vec3> values = point_vectors(surface, array->GetName());
     for (Vec3& v : values)
       v = Vec3(-v.x(), -v.y(), v.z());
     add_point_array(result, array->GetName(), values);

@@ -4,7 +4,8 @@
 #include "Case/schema_check.hpp"
 #include "Core/error.hpp"
 
-#include <algorithm>
+#include <cstdlib>
+#include <cstring>
 #include <set>
 
 namespace f2b
@@ -21,8 +22,26 @@ Vec3 point_from(const json& value)
   return {value[0].get<double>(), value[1].get<double>(), value[2].get<double>()};
 }
 
-Path resolved(const std::string& text, const Path& source)
+/// Replaces ${NAME} by the environment variable of that name.
+std::string with_environment(std::string text, const Path& source)
 {
+  for (auto begin = text.find("${"); begin != std::string::npos; begin = text.find("${", begin))
+  {
+    const auto end = text.find('}', begin);
+    const std::string name = text.substr(begin + 2, end == std::string::npos ? end : end - begin - 2);
+    const char* value = std::getenv(name.c_str());
+    if (end == std::string::npos || !value)
+      throw Error(source.string(), "the path '" + text + "' uses " + name + ", which is not set",
+                  "set the environment variable " + name + " or write the path out");
+    text.replace(begin, end - begin + 1, value);
+    begin += std::strlen(value);
+  }
+  return text;
+}
+
+Path resolved(const std::string& written, const Path& source)
+{
+  const std::string text = with_environment(written, source);
   const Path path = std::filesystem::u8path(text);
   return path.is_absolute() ? path : std::filesystem::absolute(source).parent_path() / path;
 }

@@ -3,6 +3,7 @@
 #include "Bridge/markups.hpp"
 #include "Bridge/mesh_file.hpp"
 #include "Case/verbs.hpp"
+#include "Core/error.hpp"
 #include "Core/mesh/contact.hpp"
 #include "Meshing/shell_mesh.hpp"
 
@@ -60,6 +61,8 @@ json report_json(const ShellMeshReport& r, const ContactReport& contact)
           {"dofs", 3 * r.nodes},
           {"min_dihedral_deg", r.quality.min_dihedral_deg},
           {"min_prism_scaled_jacobian", r.quality.min_scaled_jacobian},
+          {"inverted_elements", r.quality.inverted_elements},
+          {"unmatched_inner_faces", r.quality.unmatched_inner_faces},
           {"mesh_volume_mm3", r.mesh_volume},
           {"label_volume_mm3", r.label_volume},
           {"skin_to_ct_mm", fidelity_json(r.fidelity.mesh_to_ct)},
@@ -67,6 +70,18 @@ json report_json(const ShellMeshReport& r, const ContactReport& contact)
           {"holes", r.holes},
           {"contact_nodes", {{"fixed", contact.fixed}, {"fragments", contact.fragments}, {"released", contact.released}}},
           {"remarks", remarks}};
+}
+
+/// A mesh with inverted elements would give forces without meaning.
+void require_usable(const ShellMeshReport& r)
+{
+  if (r.quality.inverted_elements > 0 || r.quality.unmatched_inner_faces > 0)
+    throw Error("mesh", std::to_string(r.quality.inverted_elements) + " elements are inverted and " +
+                            std::to_string(r.quality.unmatched_inner_faces) +
+                            " prisms stand on no tetrahedron",
+                "try another mesh.density, a smaller skin_thickness_mm, or look at the skin in " 
+                "skin.vtp for sharp clefts",
+                ErrorKind::Numerical);
 }
 
 } // namespace
@@ -82,6 +97,7 @@ void mesh_case(CaseSession& session)
   const std::vector<Osteotomy> osteotomies = placed_osteotomies(folder);
 
   ShellMesh shell = build_shell_mesh({skin, closed, bone, hu}, mesh_options(session), session.progress);
+  require_usable(shell.report);
   session.progress("finding what the tissue hangs on", 0.95);
   const BonePartition partition = cut_bone(bone, closed, osteotomies);
   const ContactReport contact =

@@ -14,32 +14,40 @@ namespace
 
 using nlohmann::json;
 
-/// A distance of the patient, sampled over its field of view.
-template <class Distance>
-ScalarGrid sampled(const SyntheticCtOptions& ct, double spacing, Distance distance)
+struct TrueDistances
 {
+  ScalarGrid skin, bone;
+};
+
+/// The patient's own distances over its field of view: what a segmentation should find.
+TrueDistances sampled(const VirtualPatient& patient, const SyntheticCtOptions& ct)
+{
+  constexpr double spacing = 1.5; // smooth shapes: the surface between samples is 0.1 mm off at most
   ScalarGrid grid;
   grid.origin = ct.lower_ras;
   grid.spacing = spacing;
-  for (int a = 0; a < 3; ++a)
-    grid.size[a] = static_cast<int>((ct.upper_ras[a] - ct.lower_ras[a]) / spacing) + 1;
+  grid.size = ((ct.upper_ras - ct.lower_ras) / spacing).cast<int>() + Eigen::Vector3i::Ones();
   grid.values.resize(grid.count());
+  TrueDistances distances{grid, grid};
 #pragma omp parallel for schedule(dynamic)
   for (int k = 0; k < grid.size.z(); ++k)
     for (int j = 0; j < grid.size.y(); ++j)
       for (int i = 0; i < grid.size.x(); ++i)
-        grid.values[grid.index(i, j, k)] = static_cast<float>(distance(grid.position(i, j, k)));
-  return grid;
+      {
+        const TissueDistances d = patient.distances(grid.position(i, j, k));
+        distances.skin.values[grid.index(i, j, k)] = static_cast<float>(d.skin);
+        distances.bone.values[grid.index(i, j, k)] = static_cast<float>(d.bone);
+      }
+  return distances;
 }
 
-/// Where the mid-face should go: forward by as much as it lies behind, held at its surroundings.
+/// Where the mid-face should go: forward by as much as it lies behind, the rest of the face held.
 void write_warp(CaseChange& change, const VirtualPatient& patient)
 {
   const double forward = patient.options().midface_retrusion_mm;
-  const std::pair<const char*, double> moved[] = {{"prn", 1.0},   {"sn", 1.0},    {"ls", 0.9},
-                                                  {"ch_R", 0.45}, {"ch_L", 0.45}, {"Or'_R", 0.7},
-                                                  {"Or'_L", 0.7}, {"N'", 0.15},   {"li", 0.1},
-                                                  {"Pg'", 0.0}};
+  const std::pair<const char*, double> moved[] = {
+      {"prn", 1.0},   {"sn", 1.0},   {"ls", 1.0},  {"ch_R", 0.6}, {"ch_L", 0.6},
+      {"Or'_R", 0.9}, {"Or'_L", 0.9}, {"N'", 0.35}, {"li", 0.2},   {"Pg'", 0.0}};
   PointMarkup from, to;
   for (const auto& [name, share] : moved)
   {
@@ -64,7 +72,8 @@ json sample_case(const VirtualPatient& patient)
             {"max", to_json(Vec3(76, nose.y() + 8, root.z() + 45))}}},
           {"osteotomies", {{{"fragment", "mid-face"}, {"template", "le-fort-3"}}}},
           {"target",
-           {{"warp", {{"from", "target_from.mrk.json"}, {"to", "target_to.mrk.json"}, {"radius_mm", 45}}}}},
+           {{"warp", {{"from", "target_from.mrk.json"}, {"to", "target_to.mrk.json"}, {"radius_mm", 80}}},
+            {"mask_mm", 1.0}}},
           {"materials", "table1-stable"}};
 }
 
@@ -87,10 +96,9 @@ void write_sample(const Path& folder, const SampleOptions& options, const Progre
   progress("scanning the virtual patient", 0);
   write_ct(*synthesize_ct(patient, ct), change.file("ct.nrrd"));
   progress("writing its true surfaces", 0.5);
-  const auto skin = sampled(ct, 1.0, [&](const Vec3& p) { return patient.skin(p); });
-  write_surface(change.file("true_skin.vtp"), watertight_isosurface(skin));
-  const auto bone = sampled(ct, 1.0, [&](const Vec3& p) { return patient.bone(p); });
-  write_surface(change.file("true_bone.vtp"), watertight_isosurface(bone));
+  const TrueDistances truth = sampled(patient, ct);
+  write_surface(change.file("true_skin.vtp"), watertight_isosurface(truth.skin));
+  write_surface(change.file("true_bone.vtp"), watertight_isosurface(truth.bone));
   Landmarks landmarks;
   for (const NamedPoint& point : patient.landmarks())
     landmarks[point.name] = point.point_ras;

@@ -4,7 +4,8 @@
 
 #include <cstdint>
 
-/// Which samples of a lattice belong to a thing, how far is it, and which of its parts hang together?
+/// Which samples of a lattice belong to a thing, how far is it, and which of its parts hang
+/// together?
 namespace f2b
 {
 
@@ -21,7 +22,8 @@ struct BinaryMask
 };
 
 /// The mask of the samples at which `inside(sample index)` holds.
-template <class Predicate> BinaryMask mask_where(const Lattice& lattice, Predicate inside)
+template <class Predicate>
+BinaryMask mask_where(const Lattice& lattice, Predicate inside)
 {
   BinaryMask mask(lattice);
   const auto n = static_cast<std::ptrdiff_t>(mask.values.size());

@@ -60,8 +60,8 @@ void require_whole(const fs::path& file, const itk::ImageIOBase& io, const std::
   if (warnings.find("Incomplete Pixel Data") == std::string::npos)
     return;
   throw Error(file.string(),
-              "is a truncated DICOM slice: " + std::to_string(fs::file_size(file)) +
-                  " bytes for " + std::to_string(io.GetDimensions(0)) + " x " +
+              "is a truncated DICOM slice: " + std::to_string(fs::file_size(file)) + " bytes for " +
+                  std::to_string(io.GetDimensions(0)) + " x " +
                   std::to_string(io.GetDimensions(1)) + " pixels",
               "copy the folder again");
 }
@@ -143,12 +143,13 @@ std::map<std::string, Series> series_of(const fs::path& folder)
     if (slice.series.empty())
       continue;
     std::ostringstream key;
-    key << slice.series << ' ' << slice.columns << 'x' << slice.rows << ' '
-        << rounded(slice.across) << ' ' << rounded(slice.down);
+    key << slice.series << ' ' << slice.columns << 'x' << slice.rows << ' ' << rounded(slice.across)
+        << ' ' << rounded(slice.down);
     found[key.str()].push_back(std::move(slice));
   }
   if (found.empty())
-    throw Error(folder.string(), "holds no DICOM images", "give a folder with the slices of one CT");
+    throw Error(folder.string(), "holds no DICOM images",
+                "give a folder with the slices of one CT");
   return found;
 }
 
@@ -176,8 +177,7 @@ Series the_series(const fs::path& folder, std::vector<std::string>& notes)
   if (found.size() == 1)
     return std::move(found.begin()->second);
   if (volumes != 1)
-    throw Error(folder.string(),
-                "holds " + std::to_string(found.size()) + " DICOM series: " + list,
+    throw Error(folder.string(), "holds " + std::to_string(found.size()) + " DICOM series: " + list,
                 "give a folder with one series");
   Series chosen;
   for (auto& [key, series] : found)
@@ -199,15 +199,15 @@ double slice_spacing(const Series& sorted, const fs::path& folder)
   const double usual = ordered[ordered.size() / 2];
   for (std::size_t s = 0; s < steps.size(); ++s)
   {
-    const std::string between = sorted[s].file.filename().string() + " and " +
-                                sorted[s + 1].file.filename().string();
+    const std::string between =
+        sorted[s].file.filename().string() + " and " + sorted[s + 1].file.filename().string();
     if (steps[s] < 1e-3)
       throw Error(folder.string(), "has two slices at one position: " + between,
                   "keep one image of each slice");
     if (std::abs(steps[s] - usual) > 0.05 * usual)
       throw Error(folder.string(),
-                  "slices are missing or not evenly spaced: " + number(steps[s]) +
-                      " mm between " + between + ", elsewhere " + number(usual) + " mm",
+                  "slices are missing or not evenly spaced: " + number(steps[s]) + " mm between " +
+                      between + ", elsewhere " + number(usual) + " mm",
                   "copy all slices of the series");
   }
   return (sorted.back().position() - sorted.front().position()) /
@@ -263,8 +263,7 @@ CtImage::Pointer stack(const Series& sorted, const fs::path& folder)
     direction(a, 2) = normal[a];
     origin[a] = first.origin[a];
   }
-  const CtImage::SizeType size{
-      {first.columns, first.rows, several ? sorted.size() : first.frames}};
+  const CtImage::SizeType size{{first.columns, first.rows, several ? sorted.size() : first.frames}};
   const CtImage::Pointer ct = make_image(size, spacing, origin, direction, folder.string());
   for (std::size_t s = 0; s < sorted.size(); ++s)
     read_slice(sorted[s], ct->GetBufferPointer() + s * first.columns * first.rows);

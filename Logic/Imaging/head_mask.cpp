@@ -72,8 +72,9 @@ BinaryMask solid_head(const ScalarGrid& hu, const HeadMaskOptions& options)
   return reconstruct(body, whole);
 }
 
-/// The samples from which the air around the head can be reached, of those outside the dilated head.
-/// The airway opens at the lower end of the CT, so that a part must also be large to be outside.
+/// The samples from which the air around the head can be reached, of those outside the dilated
+/// head. The airway opens at the lower end of the CT, so that a part must also be large to be
+/// outside.
 BinaryMask outer_part(const BinaryMask& free_space)
 {
   const Components parts = components_of(free_space);
@@ -103,8 +104,8 @@ BinaryMask cranial_cavity(const ScalarGrid& bone_distance, const BinaryMask& out
   const BinaryMask reached = reconstruct(intersection(outer_air, wide), wide);
   const Components parts = components_of(difference(wide, reached));
   const int largest = parts.largest() + 1;
-  const BinaryMask core = mask_where(
-      wide.lattice, [&](std::size_t s) { return largest > 0 && parts.label[s] == largest; });
+  const BinaryMask core = mask_where(wide.lattice, [&](std::size_t s)
+                                     { return largest > 0 && parts.label[s] == largest; });
   return dilate(core, foramen_radius - closing_mm + 2.0 * bone_distance.spacing);
 }
 
@@ -142,8 +143,9 @@ HeadMask find_head(const ScalarGrid& whole_hu, const HeadMaskOptions& options)
 {
   const BinaryMask whole = solid_head(whole_hu, options);
   if (whole.count() == 0)
-    throw Error("head", "no connected soft tissue around bone at " +
-                            std::to_string(static_cast<int>(options.skin_threshold_hu)) + " HU",
+    throw Error("head",
+                "no connected soft tissue around bone at " +
+                    std::to_string(static_cast<int>(options.skin_threshold_hu)) + " HU",
                 "check the skin threshold and that the CT shows a head");
   const Lattice all = lattice_of(whole_hu);
   const Lattice lattice = cropped(all, bounds_of(whole), 30.0);

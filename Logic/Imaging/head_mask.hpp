@@ -10,10 +10,10 @@ namespace f2b
 /// known only from the whole: which air is outside, which cavities are inside.
 struct HeadMask
 {
-  ScalarGrid head;          ///< signed distance to the head without its holder, airways open [mm]
-  BinaryMask outer_air;     ///< air farther from the closed head than the head closing radius
-  BinaryMask outside_bone;  ///< well farther from bone than its closing radius, not in the cranium
-  BinaryMask bone;          ///< samples of the head above the bone threshold
+  ScalarGrid head;         ///< signed distance to the head without its holder, airways open [mm]
+  BinaryMask outer_air;    ///< air farther from the closed head than the head closing radius
+  BinaryMask outside_bone; ///< well farther from bone than its closing radius, not in the cranium
+  BinaryMask bone;         ///< samples of the head above the bone threshold
 };
 
 struct HeadMaskOptions
@@ -22,7 +22,7 @@ struct HeadMaskOptions
   double bone_threshold_hu = 240;
   double head_closing_mm = 5;
   double bone_closing_mm = 8;
-  double opening_mm = 3;           ///< bridges thinner than twice this do not belong to the head
+  double opening_mm = 3;            ///< bridges thinner than twice this do not belong to the head
   double largest_appendage_ml = 30; ///< an ear may be thin; a larger thin thing is holder or cloth
 };
 

@@ -37,16 +37,17 @@ Box face_region(const HeadMask& head)
   auto in_head = [&](std::size_t s) { return head.head.values[s] < 0; };
   auto in_bone = [&](std::size_t s) { return head.bone.values[s] != 0; };
   const double vertex = bounds_where(lattice, in_head, [](const Vec3&) { return true; }).max.z();
-  const Box cranium = bounds_where(lattice, in_bone, [&](const Vec3& p)
-                                   { return p.z() > vertex - cranium_height; });
+  const Box cranium = bounds_where(lattice, in_bone,
+                                   [&](const Vec3& p) { return p.z() > vertex - cranium_height; });
   const double middle = 0.5 * (cranium.min.y() + cranium.max.y());
   const double front = middle + 0.2 * (cranium.max.y() - cranium.min.y());
   const double lowest = vertex - face_height;
-  const Box jaws = bounds_where(lattice, in_bone, [&](const Vec3& p)
-                                { return p.y() > front && p.z() > lowest; });
+  const Box jaws = bounds_where(lattice, in_bone,
+                                [&](const Vec3& p) { return p.y() > front && p.z() > lowest; });
   const double bottom = jaws.min.z() - 10.0;
-  Box face = bounds_where(lattice, in_head, [&](const Vec3& p)
-                          { return p.y() > middle && p.z() > bottom && p.z() < vertex - forehead; });
+  Box face = bounds_where(
+      lattice, in_head,
+      [&](const Vec3& p) { return p.y() > middle && p.z() > bottom && p.z() < vertex - forehead; });
   const double clearance = 4.0;
   face.min -= Vec3(clearance, 0.0, 0.0);
   face.max += Vec3(clearance, clearance, 0.0);

@@ -134,14 +134,14 @@ BinaryMask streak_zone(const ScalarGrid& hu)
   const Lattice lattice = lattice_of(hu);
   const BinaryMask metal =
       mask_where(lattice, [&](std::size_t s) { return hu.values[s] > metal_hu; });
-  const std::vector<char> slices = widened(slices_with_metal(metal),
-                                           static_cast<int>(std::lround(2.0 / lattice.spacing)));
+  const std::vector<char> slices =
+      widened(slices_with_metal(metal), static_cast<int>(std::lround(2.0 / lattice.spacing)));
   if (std::find(slices.begin(), slices.end(), 1) == slices.end())
     return BinaryMask(lattice);
   const ScalarGrid distance = distance_to(metal);
   const std::size_t slice = static_cast<std::size_t>(lattice.size.x()) * lattice.size.y();
-  return mask_where(lattice, [&](std::size_t s)
-                    { return slices[s / slice] && distance.values[s] < reach; });
+  return mask_where(lattice,
+                    [&](std::size_t s) { return slices[s / slice] && distance.values[s] < reach; });
 }
 
 void remove_streaks(ScalarGrid& distance, const BinaryMask& zone, double length, double stub)
@@ -169,13 +169,13 @@ void fill_streaks(ScalarGrid& distance, const BinaryMask& zone, double length, d
 void smooth_near_changes(ScalarGrid& distance, const ScalarGrid& before, double sigma)
 {
   const float changed = 0.25F, near_surface = 4.0F;
-  const ScalarGrid to_change = distance_to(
-      mask_where(lattice_of(distance),
-                 [&](std::size_t s)
-                 {
-                   return std::abs(distance.values[s] - before.values[s]) > changed &&
-                          std::abs(distance.values[s]) < near_surface;
-                 }));
+  const ScalarGrid to_change =
+      distance_to(mask_where(lattice_of(distance),
+                             [&](std::size_t s)
+                             {
+                               return std::abs(distance.values[s] - before.values[s]) > changed &&
+                                      std::abs(distance.values[s]) < near_surface;
+                             }));
   ScalarGrid smooth = distance;
   // Far values say nothing about the surface; clipping keeps sharp corners from spreading.
   for (float& v : smooth.values)
@@ -188,8 +188,7 @@ void smooth_near_changes(ScalarGrid& distance, const ScalarGrid& before, double 
     if (std::abs(distance.values[s]) < near_surface)
     {
       const double weight = std::clamp((none - to_change.values[s]) / (none - full), 0.0, 1.0);
-      distance.values[s] +=
-          static_cast<float>(weight) * (smooth.values[s] - distance.values[s]);
+      distance.values[s] += static_cast<float>(weight) * (smooth.values[s] - distance.values[s]);
     }
 }
 

@@ -10,11 +10,13 @@
 namespace f2b
 {
 
-/// Reads a DICOM folder, a NRRD (.nrrd, .nhdr), MetaImage (.mha, .mhd) or NIfTI (.nii, .nii.gz) file.
+/// Reads a DICOM folder, a NRRD (.nrrd, .nhdr), MetaImage (.mha, .mhd) or NIfTI (.nii, .nii.gz)
+/// file.
 ///
 /// Voxels are Hounsfield units, rounded to whole ones. A path to one DICOM file means its folder.
 /// \param notes  gets what was left out, a sentence each, if not null
-/// \throws Error  whatever is wrong with it, in one line with the file's name, the value and a remedy
+/// \throws Error  whatever is wrong with it, in one line with the file's name, the value and a
+/// remedy
 CtImage::Pointer read_ct(const std::filesystem::path& path,
                          std::vector<std::string>* notes = nullptr);
 

@@ -39,8 +39,9 @@ void require_threshold(const ScalarGrid& hu, double threshold, const char* key)
   const auto [lowest, highest] = std::minmax_element(hu.values.begin(), hu.values.end());
   if (threshold > *lowest && threshold < *highest)
     return;
-  throw Error(key, text(threshold) + " HU selects nothing: the CT holds " + text(*lowest) + " to " +
-                       text(*highest) + " HU",
+  throw Error(key,
+              text(threshold) + " HU selects nothing: the CT holds " + text(*lowest) + " to " +
+                  text(*highest) + " HU",
               "choose a threshold in that range or leave it out");
 }
 
@@ -51,8 +52,7 @@ void require_box(const Box& box, const Box& extent)
       throw Error("region_ras", "is empty: " + text(box), "give min < max on every axis");
   for (int a = 0; a < 3; ++a)
     if (box.max[a] < extent.min[a] || box.min[a] > extent.max[a])
-      throw Error("region_ras",
-                  "lies outside the CT: box " + text(box) + ", CT " + text(extent),
+      throw Error("region_ras", "lies outside the CT: box " + text(box) + ", CT " + text(extent),
                   "give the box in RAS millimetres inside the CT");
 }
 
@@ -68,8 +68,8 @@ void require_inside(const ScalarGrid& distance, const Box& region, const char* w
             (p.array() >= region.min.array()).all() && (p.array() <= region.max.array()).all())
           return;
       }
-  throw Error("region_ras", std::string("holds no ") + what + ": box " + text(region) + ", CT " +
-                                text(extent),
+  throw Error("region_ras",
+              std::string("holds no ") + what + ": box " + text(region) + ", CT " + text(extent),
               "move the box onto the face");
 }
 
@@ -143,12 +143,11 @@ void find_surfaces(const HeadMask& head, const SegmentOptions& options, HeadSegm
   const TissueSurfaceOptions surfaces{result.skin_threshold_hu, result.bone_threshold_hu,
                                       options.head_closing_mm, options.bone_closing_mm,
                                       options.smallest_bone_ml};
-  auto bone = std::async(std::launch::async,
-                         [&] { return bone_distance(result.hu, head, surfaces); });
+  auto bone =
+      std::async(std::launch::async, [&] { return bone_distance(result.hu, head, surfaces); });
   result.skin = face_distance(result.hu, head, surfaces);
   result.bone = bone.get();
-  result.closed_bone =
-      closed_bone_distance(result.hu, result.skin, result.bone, head, surfaces);
+  result.closed_bone = closed_bone_distance(result.hu, result.skin, result.bone, head, surfaces);
 }
 
 } // namespace

@@ -30,7 +30,7 @@ struct SegmentOptions
 enum class HeadLabel : unsigned char
 {
   Air = 0,
-  Skin = 1,         ///< nearer to the face than the skin's thickness
+  Skin = 1, ///< nearer to the face than the skin's thickness
   Fat = 2,
   Muscle = 3,
   Bone = 4,

@@ -15,7 +15,10 @@ namespace f2b
 namespace
 {
 
-constexpr double block_edge = 8;       ///< mm
+constexpr double block_edge = 8; ///< mm
+// The scanner's blur as a multiple of the sample; sharper at bone, so that thresholds which lie low
+// on bone's edge do not bridge the joints and the tooth rows.
+constexpr double soft_blur = 2.6, hard_blur = 1.8;
 constexpr double skin_thickness = 2.4; ///< mm
 constexpr double cortex_thickness = 2; ///< mm
 
@@ -77,11 +80,10 @@ private:
   double sample(const Vec3& p, Block content) const;
   double soft_tissue(const TissueDistances& distances) const;
   double hard_tissue(const TissueDistances& distances) const;
-  /// Share of a sample that lies inside a surface at this signed distance: the scanner's blur is
-  /// 2.6 samples wide.
-  double inside(double distance) const
+  /// Share of a sample that lies inside a surface at this signed distance.
+  double inside(double distance, double blur = soft_blur) const
   {
-    return std::clamp(0.5 - distance / (2.6 * m_edge_width), 0.0, 1.0);
+    return std::clamp(0.5 - distance / (blur * m_edge_width), 0.0, 1.0);
   }
   static double blend(double from, double to, double share) { return from + share * (to - from); }
 
@@ -124,7 +126,7 @@ double Scanner::hard_tissue(const TissueDistances& d) const
 {
   const double core = inside(d.bone + cortex_thickness);
   const double hu = blend(m_hu.cortical_bone, m_hu.trabecular_bone, core);
-  return blend(hu, m_hu.tooth, inside(d.teeth));
+  return blend(hu, m_hu.tooth, inside(d.teeth, hard_blur));
 }
 
 double Scanner::sample(const Vec3& p, Block content) const
@@ -136,7 +138,7 @@ double Scanner::sample(const Vec3& p, Block content) const
   if (content == Block::Outside)
     return around;
   const TissueDistances d = m_patient.distances(p);
-  double hu = blend(soft_tissue(d), hard_tissue(d), inside(d.bone));
+  double hu = blend(soft_tissue(d), hard_tissue(d), inside(d.bone, hard_blur));
   hu = blend(hu, m_hu.air, inside(d.air));
   return blend(around, hu, inside(d.skin));
 }

@@ -61,8 +61,8 @@ BinaryMask sampled(const BinaryMask& coarse, const Lattice& lattice)
 /// Makes the parts of the outside that no seed reaches a part of the inside.
 void fill_cavities(ScalarGrid& level, const BinaryMask& seeds)
 {
-  const BinaryMask outside = mask_where(lattice_of(level),
-                                        [&](std::size_t s) { return level.values[s] >= 0; });
+  const BinaryMask outside =
+      mask_where(lattice_of(level), [&](std::size_t s) { return level.values[s] >= 0; });
   const BinaryMask reached = reconstruct(seeds, outside);
   for (std::size_t s = 0; s < level.values.size(); ++s)
     if (outside.values[s] && !reached.values[s])
@@ -98,8 +98,8 @@ BinaryMask airways(const ScalarGrid& hu, const ScalarGrid& skin, double threshol
 {
   const Lattice lattice = lattice_of(hu);
   const BinaryMask zone = streak_zone(hu);
-  const BinaryMask solid = mask_where(
-      lattice, [&](std::size_t s) { return hu.values[s] >= threshold || skin.values[s] >= 0; });
+  const BinaryMask solid = mask_where(lattice, [&](std::size_t s)
+                                      { return hu.values[s] >= threshold || skin.values[s] >= 0; });
   const ScalarGrid clearance = distance_to(solid);
   auto is_core = [&](std::size_t s)
   { return clearance.values[s] > (zone.values[s] ? airway_in_streaks_mm : airway_mm) / 2; };
@@ -128,8 +128,8 @@ ScalarGrid inner_air_distance(const ScalarGrid& hu, const ScalarGrid& skin, doub
 
 void drop_small_pieces(ScalarGrid& level, double smallest_ml)
 {
-  const BinaryMask inside = mask_where(lattice_of(level),
-                                       [&](std::size_t s) { return level.values[s] < 0; });
+  const BinaryMask inside =
+      mask_where(lattice_of(level), [&](std::size_t s) { return level.values[s] < 0; });
   const Components parts = components_of(inside);
   const double sample_ml = std::pow(level.spacing, 3) / 1000.0;
   for (std::size_t s = 0; s < level.values.size(); ++s)
@@ -156,8 +156,7 @@ ScalarGrid face_distance(const ScalarGrid& hu, const HeadMask& head,
     fill_streaks(open, zone, skin_streak_mm, skin_stub_mm);
   }
   cut_off_what_is_not_head(open, head);
-  ScalarGrid face =
-      closed(open, sampled(head.outer_air, lattice_of(hu)), options.head_closing_mm);
+  ScalarGrid face = closed(open, sampled(head.outer_air, lattice_of(hu)), options.head_closing_mm);
   if (!streaks)
     return face;
   // Streaks and the closing of what they cut into leave ridges; elsewhere the closing is smooth.

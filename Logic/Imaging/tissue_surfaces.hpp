@@ -2,7 +2,8 @@
 
 #include "Imaging/head_mask.hpp"
 
-/// Where are the face, the bone and the closed bone, better than to a sample, in a part of the head?
+/// Where are the face, the bone and the closed bone, better than to a sample, in a part of the
+/// head?
 namespace f2b
 {
 
@@ -15,8 +16,8 @@ struct TissueSurfaceOptions
   double smallest_bone_ml = 0.5;
 };
 
-/// Distance to the face [mm]: the isosurface of the CT but for the holder, the shut openings and the
-/// filled cavities.
+/// Distance to the face [mm]: the isosurface of the CT but for the holder, the shut openings and
+/// the filled cavities.
 ScalarGrid face_distance(const ScalarGrid& hu, const HeadMask& head,
                          const TissueSurfaceOptions& options);
 

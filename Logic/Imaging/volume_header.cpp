@@ -118,8 +118,7 @@ bool is_true(const std::string& text)
 void check_meta_data(const fs::path& path, std::istream& in,
                      const std::map<std::string, std::string>& keys)
 {
-  auto value = [&](const char* key)
-  { return keys.count(key) ? keys.at(key) : std::string(); };
+  auto value = [&](const char* key) { return keys.count(key) ? keys.at(key) : std::string(); };
   std::uintmax_t promised = meta_type_size(value("ElementType"));
   for (const double n : numbers(value("DimSize")))
     promised *= static_cast<std::uintmax_t>(std::max(n, 0.0));
@@ -152,7 +151,8 @@ using GzHandle = std::unique_ptr<std::remove_pointer_t<gzFile>, GzClose>;
 
 constexpr std::size_t nifti_header_size = 348;
 
-template <class T> T value_at(const unsigned char* bytes, bool swapped)
+template <class T>
+T value_at(const unsigned char* bytes, bool swapped)
 {
   std::array<unsigned char, sizeof(T)> part;
   std::copy_n(bytes, sizeof(T), part.begin());
@@ -192,7 +192,8 @@ public:
   }
 
 private:
-  template <class T> T raw(std::size_t at, bool swapped) const
+  template <class T>
+  T raw(std::size_t at, bool swapped) const
   {
     return value_at<T>(m_bytes.data() + at, swapped);
   }
@@ -216,8 +217,7 @@ void require_numbers(const fs::path& path, const NiftiHeader& header,
                                     : value_at<double>(&chunk[at], header.swapped());
     if (!std::isfinite(value))
       throw Error(path.string(),
-                  "voxel " + std::to_string((before + at) / width) + " is " +
-                      std::to_string(value),
+                  "voxel " + std::to_string((before + at) / width) + " is " + std::to_string(value),
                   "export the CT again in Hounsfield units");
   }
 }
@@ -227,7 +227,8 @@ void require_numbers(const fs::path& path, const NiftiHeader& header,
 void check_nrrd(const fs::path& path)
 {
   std::ifstream in(path, std::ios::binary);
-  const auto keys = key_values(in, ":", [](const std::string& line) { return trimmed(line).empty(); });
+  const auto keys =
+      key_values(in, ":", [](const std::string& line) { return trimmed(line).empty(); });
   std::vector<double> spacing;
   if (keys.count("spacings"))
     spacing = numbers(keys.at("spacings"));
@@ -244,8 +245,8 @@ void check_nrrd(const fs::path& path)
 void check_meta_image(const fs::path& path)
 {
   std::ifstream in(path, std::ios::binary);
-  const auto keys = key_values(in, "=", [](const std::string& line)
-                               { return line.rfind("ElementDataFile", 0) == 0; });
+  const auto keys = key_values(
+      in, "=", [](const std::string& line) { return line.rfind("ElementDataFile", 0) == 0; });
   for (const char* key : {"ElementSpacing", "ElementSize"})
     if (keys.count(key))
     {
@@ -260,8 +261,8 @@ void check_nifti(const fs::path& path)
 {
   const GzHandle file(gzopen(path.c_str(), "rb"));
   std::array<unsigned char, nifti_header_size> bytes{};
-  if (!file || gzread(file.get(), bytes.data(), nifti_header_size) !=
-                   static_cast<int>(nifti_header_size))
+  if (!file ||
+      gzread(file.get(), bytes.data(), nifti_header_size) != static_cast<int>(nifti_header_size))
     throw Error(path.string(), "is truncated: it ends inside the NIfTI header",
                 "copy or export the file again");
   const NiftiHeader header(bytes);

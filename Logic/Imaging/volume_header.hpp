@@ -4,8 +4,9 @@
 
 /// Does a volume file hold what its own header promises?
 ///
-/// ITK 5.2 reads a truncated MetaImage or NIfTI file without complaint and takes zero or NaN spacings
-/// of NRRD and NIfTI for 1 mm; these checks read the header's own text and count the bytes.
+/// ITK 5.2 reads a truncated MetaImage or NIfTI file without complaint and takes zero or NaN
+/// spacings of NRRD and NIfTI for 1 mm; these checks read the header's own text and count the
+/// bytes.
 namespace f2b
 {
 

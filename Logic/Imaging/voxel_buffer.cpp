@@ -30,7 +30,8 @@ void convert(const std::vector<char>& raw, const std::string& name, short* voxel
   }
 }
 
-template <class Range> std::string joined(const Range& values)
+template <class Range>
+std::string joined(const Range& values)
 {
   std::ostringstream out;
   for (unsigned a = 0; a < 3; ++a)
@@ -76,8 +77,7 @@ void read_voxels(itk::ImageIOBase& io, const std::string& name, short* voxels)
   case itk::IOComponentEnum::DOUBLE:
     return convert<double>(raw, name, voxels);
   default:
-    throw Error(name,
-                "holds voxels of type " + io.GetComponentTypeAsString(io.GetComponentType()),
+    throw Error(name, "holds voxels of type " + io.GetComponentTypeAsString(io.GetComponentType()),
                 "give a CT with 16-bit, 32-bit or float voxels");
   }
 }

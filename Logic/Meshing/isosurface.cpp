@@ -1,18 +1,18 @@
 #include "Meshing/isosurface.hpp"
 
+#include "Meshing/edge_collapse.hpp"
+
+#include <vtkCellArray.h>
 #include <vtkCleanPolyData.h>
-#include <vtkDecimatePro.h>
 #include <vtkFlyingEdges3D.h>
-#include <vtkImageData.h>
-#include <vtkFloatArray.h>
 #include <vtkIdList.h>
+#include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
+#include <vtkPoints.h>
 #include <vtkPolyDataConnectivityFilter.h>
 #include <vtkPolyDataNormals.h>
-#include <vtkQuadricDecimation.h>
 #include <vtkReverseSense.h>
-#include <vtkTriangleFilter.h>
 #include <vtkWindowedSincPolyDataFilter.h>
 
 #include <algorithm>
@@ -25,7 +25,8 @@ namespace
 
 using Surface = vtkSmartPointer<vtkPolyData>;
 
-/// A sample beyond the wall such that the surface crosses just outside the wall, whatever the depth.
+/// A sample beyond the wall such that the surface crosses just outside the wall, whatever the
+/// depth.
 float beyond_wall(float inside)
 {
   return 19.0F * std::abs(inside) + 1.0F;
@@ -96,39 +97,47 @@ Surface smoothed(vtkPolyData* surface, const SurfaceOptions& options)
   return filter->GetOutput();
 }
 
-template <class Filter> Surface run(Filter& filter, vtkPolyData* surface, double reduction)
+TriangleMesh mesh_of(vtkPolyData* surface)
 {
-  filter.SetInputData(surface);
-  filter.SetTargetReduction(reduction);
-  filter.Update();
-  return filter.GetOutput();
+  TriangleMesh mesh;
+  mesh.points.resize(static_cast<std::size_t>(surface->GetNumberOfPoints()));
+  for (std::size_t p = 0; p < mesh.points.size(); ++p)
+    surface->GetPoint(static_cast<vtkIdType>(p), mesh.points[p].data());
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType t = 0; t < surface->GetNumberOfPolys(); ++t)
+  {
+    surface->GetPolys()->GetCellAtId(t, corners);
+    mesh.triangles.push_back({static_cast<int>(corners->GetId(0)),
+                              static_cast<int>(corners->GetId(1)),
+                              static_cast<int>(corners->GetId(2))});
+  }
+  return mesh;
 }
 
-/// Quadric decimation where it keeps the surface closed, else one that minds the topology.
+Surface surface_of(const TriangleMesh& mesh)
+{
+  vtkNew<vtkPoints> points;
+  for (const Vec3& p : mesh.points)
+    points->InsertNextPoint(p.data());
+  vtkNew<vtkCellArray> cells;
+  for (const Triangle& t : mesh.triangles)
+  {
+    const vtkIdType corners[3] = {t[0], t[1], t[2]};
+    cells->InsertNextCell(3, corners);
+  }
+  auto surface = Surface::New();
+  surface->SetPoints(points);
+  surface->SetPolys(cells);
+  return surface;
+}
+
 Surface decimated(vtkPolyData* surface, double target_edge)
 {
-  const SurfaceCheck before = check_surface(surface);
-  const double wanted = before.area_mm2 / (std::sqrt(3.0) / 4.0 * target_edge * target_edge);
-  const double reduction = 1.0 - wanted / static_cast<double>(surface->GetNumberOfPolys());
-  if (reduction <= 0.0)
+  const double area = check_surface(surface).area_mm2;
+  const double wanted = area / (std::sqrt(3.0) / 4.0 * target_edge * target_edge);
+  if (wanted >= static_cast<double>(surface->GetNumberOfPolys()))
     return surface;
-  auto keeps = [&](vtkPolyData* candidate)
-  {
-    const SurfaceCheck after = check_surface(candidate);
-    return after.watertight() && after.components == before.components &&
-           std::abs(after.volume_mm3 - before.volume_mm3) < 0.01 * std::abs(before.volume_mm3);
-  };
-  vtkNew<vtkQuadricDecimation> quadric;
-  quadric->VolumePreservationOn();
-  const Surface first = run(*quadric, surface, reduction);
-  if (keeps(first))
-    return first;
-  vtkNew<vtkDecimatePro> careful;
-  careful->PreserveTopologyOn();
-  careful->SplittingOff();
-  careful->BoundaryVertexDeletionOff();
-  const Surface second = run(*careful, surface, reduction);
-  return keeps(second) ? second : Surface(surface);
+  return surface_of(collapse_edges(mesh_of(surface), static_cast<std::size_t>(wanted)));
 }
 
 Surface facing_outwards(vtkPolyData* surface)

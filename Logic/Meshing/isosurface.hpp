@@ -13,16 +13,16 @@ namespace f2b
 
 struct SurfaceOptions
 {
-  double target_edge_mm = 0.0;     ///< mean edge after decimation; 0 keeps the grid's own triangles
-  int smoothing_iterations = 15;   ///< of a windowed sinc filter; 0 for none
+  double target_edge_mm = 0.0;   ///< mean edge after decimation; 0 keeps the grid's own triangles
+  int smoothing_iterations = 15; ///< of a windowed sinc filter; 0 for none
   double smoothing_pass_band = 0.1; ///< lower is smoother, in (0, 2)
-  bool largest_component = false;  ///< drop all other pieces and inner cavities
+  bool largest_component = false;   ///< drop all other pieces and inner cavities
 };
 
 /// The surface on which `grid` takes the value `level`, closed where the inside (below the level)
 /// meets the walls of the grid's box. Triangles face outwards; point normals included.
 ///
-/// Decimation that would open the surface or make an edge of more than two triangles is undone.
+/// Decimation keeps the surface closed and manifold, with its components and handles.
 vtkSmartPointer<vtkPolyData> watertight_isosurface(const ScalarGrid& grid, double level = 0.0,
                                                    const SurfaceOptions& options = {});
 

@@ -55,7 +55,8 @@ void count_edges(const std::vector<std::array<vtkIdType, 3>>& triangles, Surface
       const vtkIdType a = t[c], b = t[(c + 1) % 3];
       edges.push_back({std::min(a, b), std::max(a, b), a < b ? 1 : -1});
     }
-  std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b)
+  std::sort(edges.begin(), edges.end(),
+            [](const Edge& a, const Edge& b)
             { return a.low != b.low ? a.low < b.low : a.high < b.high; });
   for (std::size_t first = 0, next = 0; first < edges.size(); first = next)
   {

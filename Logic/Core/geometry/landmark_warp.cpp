@@ -4,6 +4,8 @@
 
 #include <Eigen/Cholesky>
 
+#include <cmath>
+
 namespace f2b
 {
 namespace
@@ -28,8 +30,8 @@ LandmarkWarp::LandmarkWarp(std::vector<Vec3> from, const std::vector<Vec3>& to, 
                 std::to_string(m_from.size()) + " from points and " + std::to_string(to.size()) +
                     " to points",
                 "give as many to points as from points, at least one");
-  if (!(radius_mm > 0))
-    throw Error("target warp", "radius_mm is " + std::to_string(radius_mm), "give a positive radius");
+  if (!(radius_mm > 0) || !std::isfinite(radius_mm))
+    throw Error("target warp", "radius_mm is " + std::to_string(radius_mm), "give a positive, finite radius");
   const auto n = static_cast<Eigen::Index>(m_from.size());
   Eigen::MatrixXd kernel(n, n), moves(n, 3);
   for (Eigen::Index i = 0; i < n; ++i)
@@ -42,7 +44,7 @@ LandmarkWarp::LandmarkWarp(std::vector<Vec3> from, const std::vector<Vec3>& to, 
     for (Eigen::Index j = 0; j < n; ++j)
       kernel(i, j) = wendland((p - m_from[static_cast<std::size_t>(j)]).norm(), radius_mm);
     for (Eigen::Index j = 0; j < i; ++j)
-      if ((p - m_from[static_cast<std::size_t>(j)]).norm() < 0.1)
+      if ((p - m_from[static_cast<std::size_t>(j)]).norm() < nearest_mm)
         throw Error("target warp",
                     "from points " + std::to_string(j + 1) + " and " + std::to_string(i + 1) +
                         " lie within 0.1 mm of each other",

@@ -13,6 +13,9 @@ namespace f2b
 class LandmarkWarp
 {
 public:
+  /// From points nearer to each other than this cannot be told apart [mm].
+  static constexpr double nearest_mm = 0.1;
+
   /// \param radius_mm  R: no displacement farther than this from every from point
   /// Throws Error on unequal counts, coincident from points or non-finite coordinates.
   LandmarkWarp(std::vector<Vec3> from, const std::vector<Vec3>& to, double radius_mm);

@@ -302,33 +302,79 @@ BonePartition cut_bone(const ScalarGrid& bone, const ScalarGrid& closed_bone,
   return Flood(bone, closed_bone, osteotomies).run();
 }
 
+namespace
+{
+
+/// Voxels that the saw may touch: those near the cut faces. A plane drawn wider than its fragment does
+/// not harm the bone beyond.
+std::vector<char> near_cut_faces(const ScalarGrid& bone, const BonePartition& partition)
+{
+  std::vector<char> near(bone.values.size(), 0);
+  for (std::size_t f = 0; f < partition.cut_points.size(); ++f)
+  {
+    const int reach = 2 + static_cast<int>(partition.osteotomies[f].kerf_mm / bone.spacing);
+    for (const Vec3& point : partition.cut_points[f])
+    {
+      const Vec3 at = (point - bone.origin) / bone.spacing;
+      for (int k = -reach; k <= reach; ++k)
+        for (int j = -reach; j <= reach; ++j)
+          for (int i = -reach; i <= reach; ++i)
+          {
+            const Eigen::Vector3i v(static_cast<int>(std::lround(at.x())) + i,
+                                    static_cast<int>(std::lround(at.y())) + j,
+                                    static_cast<int>(std::lround(at.z())) + k);
+            if ((v.array() >= 0).all() && (v.array() < bone.size.array()).all())
+              near[bone.index(v.x(), v.y(), v.z())] = 1;
+          }
+    }
+  }
+  return near;
+}
+
+/// The nearest saw that faces a point.
+struct NearestSaw
+{
+  double distance = std::numeric_limits<double>::infinity(); ///< to its plane [mm]
+  double half_kerf = 0;
+};
+
+NearestSaw nearest_saw(const Vec3& p, double margin_mm, const BonePartition& partition)
+{
+  NearestSaw saw;
+  for (const Osteotomy& osteotomy : partition.osteotomies)
+    for (const BoundedPlane& plane : osteotomy.planes)
+    {
+      const double distance = std::abs(plane.signed_distance(p));
+      if (distance < saw.distance && plane.faces(p, margin_mm))
+        saw = {distance, 0.5 * osteotomy.kerf_mm};
+    }
+  return saw;
+}
+
+} // namespace
+
 ScalarGrid part_field(const ScalarGrid& bone, const BonePartition& partition, unsigned char label)
 {
   ScalarGrid field = bone;
+  const std::vector<char> near = near_cut_faces(bone, partition);
   std::size_t voxel = 0;
   for (int k = 0; k < bone.size.z(); ++k)
     for (int j = 0; j < bone.size.y(); ++j)
       for (int i = 0; i < bone.size.x(); ++i, ++voxel)
       {
-        if (bone.values[voxel] > 2 * bone.spacing)
-          continue;
-        const Vec3 p = bone.position(i, j, k);
-        // distance to the nearest saw, and half of what it takes away
-        double saw = std::numeric_limits<double>::infinity(), half_kerf = 0;
-        for (const Osteotomy& osteotomy : partition.osteotomies)
-          for (const BoundedPlane& plane : osteotomy.planes)
-            if (plane.faces(p, 0.5 * bone.spacing) && std::abs(plane.signed_distance(p)) < saw)
-            {
-              saw = std::abs(plane.signed_distance(p));
-              half_kerf = 0.5 * osteotomy.kerf_mm;
-            }
-        const double inside = bone.values[voxel];
         const unsigned char here = partition.labels.values[voxel];
-        const double other_side = saw < 2 * bone.spacing ? half_kerf + saw : 0.5 * bone.spacing;
-        const double value = here == label || here == BonePartition::no_bone
-                                 ? std::max(inside, half_kerf - saw)
-                                 : std::max(inside, other_side);
-        field.values[voxel] = static_cast<float>(value);
+        const bool other = here != label && here != BonePartition::no_bone;
+        if (!near[voxel])
+        {
+          if (other)
+            field.values[voxel] = std::max(bone.values[voxel], static_cast<float>(bone.spacing));
+          continue;
+        }
+        const NearestSaw saw = nearest_saw(bone.position(i, j, k), 0.5 * bone.spacing, partition);
+        const double beyond = saw.distance < 2 * bone.spacing ? saw.half_kerf + saw.distance
+                                                              : 0.5 * bone.spacing;
+        const double cut = other ? beyond : saw.half_kerf - saw.distance;
+        field.values[voxel] = std::max(bone.values[voxel], static_cast<float>(cut));
       }
   return field;
 }

@@ -17,8 +17,8 @@ struct Tooth
 };
 
 constexpr double crown_height = 9;
-constexpr double upper_edge = -72;   ///< S of the upper cusps and edges
-constexpr double lower_edge = -74.6; ///< of the lower ones: the bite is open by 2.6 mm
+constexpr double upper_edge = -72; ///< S of the upper cusps and edges
+constexpr double lower_edge = -75; ///< of the lower ones: the bite is open by 3 mm
 
 /// `up` is +1 for upper teeth (roots upwards), -1 for lower ones.
 void add_tooth(Sculpture& s, const Tooth& tooth, const Vec3& centre, double up)

@@ -9,7 +9,7 @@ namespace
 {
 
 constexpr double vault_thickness = 6;
-constexpr double joint_space = 2.5;
+constexpr double joint_space = 3;
 
 double smooth_step(double from, double to, double value)
 {

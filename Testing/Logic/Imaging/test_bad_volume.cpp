@@ -41,7 +41,8 @@ itk::ImageIOBase::Pointer io_for(const fs::path& file)
   return itk::NiftiImageIO::New().GetPointer();
 }
 
-template <class Image> fs::path write_image(const Image* image, const fs::path& file, bool packed)
+template <class Image>
+fs::path write_image(const Image* image, const fs::path& file, bool packed)
 {
   auto writer = itk::ImageFileWriter<Image>::New();
   const auto io = io_for(file);
@@ -53,7 +54,8 @@ template <class Image> fs::path write_image(const Image* image, const fs::path& 
   return file;
 }
 
-template <class Voxel> typename itk::Image<Voxel, 3>::Pointer converted(const CtImage& ct)
+template <class Voxel>
+typename itk::Image<Voxel, 3>::Pointer converted(const CtImage& ct)
 {
   auto image = itk::Image<Voxel, 3>::New();
   image->CopyInformation(&ct);
@@ -220,8 +222,7 @@ TEST(BadVolume, RefusesASkewedLattice)
   expect_message(folder.write("s.nrrd", nrrd("space: left-posterior-superior\nspace directions: "
                                              "(1,0,0) (0.5,1,0) (0,0,1)\n")),
                  "right angles");
-  expect_message(folder.write("s.mha", meta_image("1 0 0 0.5 1 0 0 0 1", "1 1 1")),
-                 "right angles");
+  expect_message(folder.write("s.mha", meta_image("1 0 0 0.5 1 0 0 0 1", "1 1 1")), "right angles");
 }
 
 TEST(BadVolume, RefusesASingleSlice)
@@ -240,7 +241,8 @@ TEST(BadVolume, RefusesAnMrAndARescaledCt)
   short* voxels = ct->GetBufferPointer();
   for (int v = 0; v < 40 * 40 * 40; ++v)
     voxels[v] = static_cast<short>(std::max(0, voxels[v] + 1000));
-  expect_message(write_image(ct.GetPointer(), folder / "mr.nrrd", false), "does not look like a CT");
+  expect_message(write_image(ct.GetPointer(), folder / "mr.nrrd", false),
+                 "does not look like a CT");
   for (int v = 0; v < 40 * 40 * 40; ++v)
     voxels[v] = static_cast<short>(std::min(150, voxels[v] - 1000));
   expect_message(write_image(ct.GetPointer(), folder / "no bone.nrrd", false), "200 HU (bone)");

@@ -33,8 +33,7 @@ std::vector<Vec3> surface_points(const ScalarGrid& distance, const Box& box)
         const double b = distance.values[distance.index(i, j + 1, k)];
         if ((a < 0) == (b < 0))
           continue;
-        const Vec3 p = distance.position(i, j, k) +
-                       Vec3(0, distance.spacing * a / (a - b), 0);
+        const Vec3 p = distance.position(i, j, k) + Vec3(0, distance.spacing * a / (a - b), 0);
         if ((p.array() > box.min.array()).all() && (p.array() < box.max.array()).all())
           points.push_back(p);
       }

@@ -45,8 +45,8 @@ double worst_error(const ScalarGrid& distance, const Box& region, double radius)
       {
         const Vec3 p = distance.position(i, j, k);
         const double truth = (p - centre_ras).norm() - radius;
-        const bool in_region = (p.array() >= region.min.array()).all() &&
-                               (p.array() <= region.max.array()).all();
+        const bool in_region =
+            (p.array() >= region.min.array()).all() && (p.array() <= region.max.array()).all();
         if (in_region && std::abs(truth) < 5.0)
           worst = std::max(worst, std::abs(distance.values[distance.index(i, j, k)] - truth));
       }

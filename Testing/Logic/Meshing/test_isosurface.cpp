@@ -12,7 +12,8 @@ namespace f2b
 namespace
 {
 
-template <class Distance> ScalarGrid grid_of(int n, double spacing, Distance distance)
+template <class Distance>
+ScalarGrid grid_of(int n, double spacing, Distance distance)
 {
   ScalarGrid grid{Vec3::Constant(-0.5 * (n - 1) * spacing), spacing, {n, n, n}, {}};
   grid.values.resize(grid.count());
@@ -76,6 +77,18 @@ TEST(Isosurface, DecimationKeepsItClosedAndInPlace)
   expect_watertight(check);
   EXPECT_LT(coarse->GetNumberOfPolys(), fine->GetNumberOfPolys() / 5);
   EXPECT_NEAR(check.volume_mm3, check_surface(fine).volume_mm3, 0.01 * check.volume_mm3);
+}
+
+TEST(Isosurface, DecimationKeepsTheHoleOfAThinTorus)
+{
+  auto torus = [](const Vec3& p)
+  { return std::hypot(std::hypot(p.x(), p.y()) - 15.0, p.z()) - 2.0; };
+  SurfaceOptions options;
+  options.target_edge_mm = 8.0;
+  const auto surface = watertight_isosurface(grid_of(41, 1.0, torus), 0.0, options);
+  expect_watertight(check_surface(surface));
+  // Euler's characteristic: points - edges + triangles = 0, with three edges to two triangles.
+  EXPECT_EQ(2 * surface->GetNumberOfPoints(), surface->GetNumberOfPolys());
 }
 
 TEST(Isosurface, NormalsPointOutwards)

@@ -1,0 +1,223 @@
+"""The full tier: every count that the issues state, on the real CTs; called by Testing/run.sh --full.
+
+A check is a function that returns rows (name, value, requirement, pass). Finished checks are kept in the
+work folder together with a checksum of the program and are not run again while that stays the same.
+"""
+import argparse
+import hashlib
+import json
+import math
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import time
+
+here = pathlib.Path(__file__).resolve().parent
+cases = here.parent / "Data"
+
+
+class Missing(Exception):
+    """The check cannot be done here, and why."""
+
+
+class Tier:
+    def __init__(self, program, data, work):
+        self.program = program.resolve()
+        self.data = data.resolve()
+        self.work = work.resolve()
+        self.work.mkdir(parents=True, exist_ok=True)
+
+    def run(self, *arguments, threads=None):
+        environment = dict(os.environ, FACETOBONE_DATA=str(self.data))
+        if threads:
+            environment.update(OMP_NUM_THREADS=str(threads), OPENBLAS_NUM_THREADS=str(threads))
+        begin = time.monotonic()
+        done = subprocess.run([str(self.program), "-q", *map(str, arguments)], env=environment,
+                              capture_output=True, text=True)
+        if done.returncode:
+            raise RuntimeError(f"exit {done.returncode}: {done.stderr.strip()}")
+        return time.monotonic() - begin
+
+    def real_case(self, name):
+        if not (self.data / name).exists():
+            raise Missing(f"no {self.data / name}: set FACETOBONE_DATA")
+        return cases / f"{name}.json"
+
+    def planned(self, name, threads=None):
+        """A whole run of a case of Testing/Data; one folder a case and number of threads."""
+        folder = self.work / (name + (f"-{threads}" if threads else ""))
+        seconds = self.run("run", self.real_case(name), "-o", folder, threads=threads)
+        return folder, seconds
+
+
+def load(path):
+    return json.loads(path.read_text())
+
+
+def rotation_matrix(degrees):
+    p, r, y = (math.radians(degrees.get(k, 0)) for k in ("pitch", "roll", "yaw"))
+    cp, sp, cr, sr, cy, sy = math.cos(p), math.sin(p), math.cos(r), math.sin(r), math.cos(y), math.sin(y)
+    return [[cy * cr, cy * sr * sp - sy * cp, cy * sr * cp + sy * sp],
+            [sy * cr, sy * sr * sp + cy * cp, sy * sr * cp - cy * sp],
+            [-sr, cr * sp, cr * cp]]
+
+
+def angle_between(a, b):
+    """Of two 3 x 3 rotations [degrees]."""
+    trace = sum(a[k][i] * b[k][i] for i in range(3) for k in range(3))
+    return math.degrees(math.acos(max(-1.0, min(1.0, (trace - 1) / 2))))
+
+
+def movement_errors(plan, stated, method="rigid-fit"):
+    """Largest translation [mm] and rotation [degrees] error over the fragments."""
+    millimetres = degrees = 0.0
+    for fragment in plan["methods"][method]["fragments"]:
+        truth = stated[fragment["name"]]
+        t = truth.get("translation_mm", {})
+        millimetres = max(millimetres, math.dist(
+            [fragment["translation_mm"][k] for k in ("right", "anterior", "superior")],
+            [t.get(k, 0) for k in ("right", "anterior", "superior")]))
+        found = [fragment["matrix_ras"][4 * r:4 * r + 3] for r in range(3)]
+        degrees = max(degrees, angle_between(found, rotation_matrix(truth.get("rotation_deg", {}))))
+    return millimetres, degrees
+
+
+def real_ct(tier, name):
+    folder, seconds = tier.planned(name)
+    plan, mesh = load(folder / "plan.json"), load(folder / "mesh.json")
+    stated = load(cases / f"{name}.json")["target"]["from_movement"]
+    millimetres, degrees = movement_errors(plan, stated)
+    biased, _ = movement_errors(plan, stated, "virtual-force")
+    timing = plan["timing_s"]
+    preparation = timing["segment"] + timing["cut"] + timing["mesh"]
+    volume = abs(mesh["mesh_volume_mm3"] / mesh["label_volume_mm3"] - 1)
+    memory = plan["peak_rss_mb"] / 1024
+    p95 = max(mesh["skin_to_ct_mm"]["p95"], mesh["ct_to_skin_mm"]["p95"])
+    far = max((mesh["skin_to_ct_mm"], mesh["ct_to_skin_mm"]), key=lambda d: d["max"])
+    rows = [
+        ("whole run [s]", seconds, "< 300", seconds < 300),
+        ("segment + cut + mesh [s]", preparation, "< 60", preparation < 60),
+        ("peak memory [GiB]", memory, "< 6", memory < 6),
+        ("smallest dihedral angle [deg]", mesh["min_dihedral_deg"], ">= 8", mesh["min_dihedral_deg"] >= 8),
+        ("smallest scaled Jacobian", mesh["min_prism_scaled_jacobian"], ">= 0.1",
+         mesh["min_prism_scaled_jacobian"] >= 0.1),
+        ("inverted elements", mesh["inverted_elements"], "0", mesh["inverted_elements"] == 0),
+        ("prisms without their tetrahedron", mesh["unmatched_inner_faces"], "0",
+         mesh["unmatched_inner_faces"] == 0),
+        ("holes in the skin", mesh["holes"], "0", mesh["holes"] == 0),
+        ("volume, mesh against labels", volume, "< 0.02", volume < 0.02),
+        ("skin distance p95, both ways [mm]", p95, "< 0.5", p95 < 0.5),
+        ("skin distance p99.5 [mm]", max(mesh["skin_to_ct_mm"]["p99.5"], mesh["ct_to_skin_mm"]["p99.5"]), "printed", True),
+        ("skin distance max [mm] at RAS " + " ".join(f"{c:.0f}" for c in far["max_at_ras"]), far["max"], "printed", True),
+        ("rigid-fit translation error [mm]", millimetres, "< 0.05", millimetres < 0.05),
+        ("rigid-fit rotation error [deg]", degrees, "< 0.05", degrees < 0.05),
+        ("virtual-force translation error [mm]", biased, "printed", True),
+        ("report.html", int((folder / "report.html").exists()), "1", (folder / "report.html").exists()),
+    ]
+    if name == "cthead_unc":
+        rows += [("prisms", mesh["prisms"], ">= 9000", mesh["prisms"] >= 9000),
+                 ("tetrahedra", mesh["tets"], ">= 100000", mesh["tets"] >= 100000)]
+    return rows
+
+
+def movements(tier):
+    """Movements of 0 to 22 mm, forwards and downwards as mid-faces go, then back from the face."""
+    folder = tier.work / "cthead_unc"
+    if not (folder / "mesh.vtu").exists():
+        folder, _ = tier.planned("cthead_unc")
+    case = tier.work / "cthead_unc-movements"
+    shutil.rmtree(case, ignore_errors=True)
+    shutil.copytree(folder, case)
+    rows = []
+    for millimetres in (0, 1, 4, 8, 12, 17, 22):
+        share = millimetres / math.sqrt(2 ** 2 + 11 ** 2 + 5 ** 2)
+        values = [2 * share, 11 * share, -5 * share, 5 * min(share, 2), 2.5 * min(share, 2), 0]
+        argument = "mid-face:" + ",".join(f"{v:.6f}" for v in values)
+        tier.run("target", case, "--movement", argument)
+        tier.run("plan", case)
+        stated = load(case / "case.json")["target"]["from_movement"]
+        error, degrees = movement_errors(load(case / "plan.json"), stated)
+        rows.append((f"{millimetres} mm: found back within [mm]", error, "< 0.05", error < 0.05))
+        rows.append((f"{millimetres} mm: found back within [deg]", degrees, "< 0.05", degrees < 0.05))
+    return rows
+
+
+def reproducible(tier):
+    def stripped(folder):
+        plan = load(folder / "plan.json")
+        plan.pop("timing_s"), plan.pop("peak_rss_mb")
+        return plan
+
+    name = "cthead_unc"
+    first, _ = tier.planned(name, threads=2)
+    before, mesh_before = stripped(first), (first / "mesh.vtu").read_bytes()
+    second, _ = tier.planned(name, threads=2)
+    again = stripped(second)
+    one, _ = tier.planned(name, threads=1)
+    alone = stripped(one)
+    millimetres = degrees = 0.0
+    for method in before["methods"]:
+        for a, b in zip(before["methods"][method]["fragments"], alone["methods"][method]["fragments"]):
+            millimetres = max(millimetres, *(abs(a["translation_mm"][k] - b["translation_mm"][k]) for k in a["translation_mm"]))
+            degrees = max(degrees, *(abs(a["rotation_deg"][k] - b["rotation_deg"][k]) for k in a["rotation_deg"]))
+    same_mesh = mesh_before == (one / "mesh.vtu").read_bytes()
+    return [("plan.json twice the same", int(before == again), "1", before == again),
+            ("mesh the same with 1 and 2 threads", int(same_mesh), "1", same_mesh),
+            ("movements, 1 against 2 threads [mm]", millimetres, "< 1e-6", millimetres < 1e-6),
+            ("movements, 1 against 2 threads [deg]", degrees, "< 1e-6", degrees < 1e-6)]
+
+
+CHECKS = {
+    "cthead_unc": lambda tier: real_ct(tier, "cthead_unc"),
+    "phantom_imagex": lambda tier: real_ct(tier, "phantom_imagex"),
+    "movements": movements,
+    "reproducible": reproducible,
+}
+
+
+def checked(tier, name, stamp):
+    """Rows of a check, from the last run of the same program where there is one."""
+    kept = tier.work / f"{name}.result.json"
+    if kept.exists() and load(kept)["stamp"] == stamp:
+        return load(kept)["rows"]
+    print(f"running {name} ...", flush=True)
+    try:
+        rows = CHECKS[name](tier)
+    except Missing as reason:
+        return [(f"skipped: {reason}", float("nan"), "done", False)]
+    except Exception as failure:  # one failed check must not hide the others
+        return [(f"failed: {failure}", float("nan"), "done", False)]
+    kept.write_text(json.dumps({"stamp": stamp, "rows": rows}))
+    return rows
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--program", type=pathlib.Path, required=True)
+    parser.add_argument("--data", type=pathlib.Path, required=True)
+    parser.add_argument("--work", type=pathlib.Path, required=True)
+    parser.add_argument("--only", choices=CHECKS)
+    options = parser.parse_args()
+    tier = Tier(options.program, options.data, options.work)
+    digest = hashlib.sha256(tier.program.read_bytes())
+    for path in sorted(cases.glob("*.json")):
+        digest.update(path.read_bytes())
+    digest.update(pathlib.Path(__file__).read_bytes())
+    failed = 0
+    table = []
+    for name in [options.only] if options.only else CHECKS:
+        for what, value, required, passed in checked(tier, name, digest.hexdigest()):
+            table.append((f"{name}: {what}", f"{value:.6g}", required, "pass" if passed else "FAIL"))
+            failed += not passed
+    width = max(len(row[0]) for row in table)
+    print(f"\n{'name':{width}}  {'value':>12}  {'required':>10}  result")
+    for row in table:
+        print(f"{row[0]:{width}}  {row[1]:>12}  {row[2]:>10}  {row[3]}")
+    print(f"\n{len(table) - failed} passed, {failed} failed")
+    sys.exit(1 if failed else 0)
+
+
+if __name__ == "__main__":
+    main()
