@@ -215,6 +215,11 @@ LoadedSurface load(const std::filesystem::path& path)
               "use .vtp, .ply, .obj, .stl or .vtk");
 }
 
+bool is_real(vtkDataArray* array)
+{
+  return array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE;
+}
+
 /// Turns LPS into RAS or back, positions and vector arrays; the input stays as it is.
 vtkSmartPointer<vtkPolyData> flipped(vtkPolyData* surface)
 {
@@ -228,7 +233,7 @@ vtkSmartPointer<vtkPolyData> flipped(vtkPolyData* surface)
   {
     vtkDataArray* array = vectors->GetPointData()->GetArray(a);
     // triples of integers are colours
-    if (!array || !array->GetName() || array->GetNumberOfComponents() != 3 || array->IsIntegral())
+    if (!array || !array->GetName() || array->GetNumberOfComponents() != 3 || !is_real(array))
       continue;
     std::vector<Vec3> values = point_vectors(surface, array->GetName());
     for (Vec3& v : values)

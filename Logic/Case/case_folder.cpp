@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cerrno>
 #include <fstream>
 #include <map>
 
@@ -21,7 +22,6 @@ namespace fs = std::filesystem;
 
 constexpr const char* staging_name = ".facetobone-new";
 constexpr const char* journal_name = "COMMIT";
-constexpr const char* lock_name = ".facetobone-lock";
 
 /// Which files of a case a step has made, so that they can be told from the user's own.
 constexpr const char* ledger_name = ".facetobone-files.json";
@@ -32,7 +32,20 @@ Ledger read_ledger(const Path& folder)
 {
   std::ifstream file(folder / ledger_name);
   const nlohmann::json document = nlohmann::json::parse(file, nullptr, false);
-  return document.is_object() ? document.get<Ledger>() : Ledger{};
+  try
+  {
+    return document.is_object() ? document.get<Ledger>() : Ledger{};
+  }
+  catch (const nlohmann::json::exception&)
+  {
+    throw Error((folder / ledger_name).string(), "it is not as FaceToBone writes it",
+                "remove it; files that FaceToBone made then count as your own");
+  }
+}
+
+bool holds(const std::vector<std::string>& names, const std::string& name)
+{
+  return std::find(names.begin(), names.end(), name) != names.end();
 }
 
 void write_text(const Path& path, const std::string& text)
@@ -70,7 +83,11 @@ void carry_out(const Path& folder)
         fs::rename(staging / name, folder / name);
       }
     for (const std::string& name : plan.value("remove", std::vector<std::string>()))
+    {
       fs::remove(folder / name, ignored);
+      if (Path(name).has_parent_path())
+        fs::remove((folder / name).parent_path(), ignored); // unless something is left in it
+    }
   }
   fs::remove_all(staging);
 }
@@ -102,43 +119,106 @@ const std::vector<std::string>& outdated_by(const std::string& step)
   return table.at(step);
 }
 
-} // namespace
+/// Whether a step made a file, or a step whose results it outdates.
+bool may_replace(const Ledger& ledger, const std::string& name, const std::string& step)
+{
+  if (name == case_settings_name)
+    return step == "sample" ? ledger.count("sample") > 0 : ledger.size() > ledger.count("sample");
+  for (const std::string& outdated : outdated_by(step))
+    if (const auto made = ledger.find(outdated); made != ledger.end() && holds(made->second, name))
+      return true;
+  return false;
+}
 
-CaseFolder::CaseFolder(const Path& folder)
+void make_folder(const Path& folder)
 {
   std::error_code failed;
-  m_made = fs::create_directories(folder, failed);
-  if (failed || !fs::is_directory(folder))
-    throw Error(folder.string(), "the folder cannot be made", "choose another place or mend its permissions");
-  m_folder = fs::canonical(folder);
-  m_lock = ::open((m_folder / lock_name).c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-  if (m_lock < 0)
-    throw Error(folder.string(), "the folder is read-only", "choose a folder that you may write to");
-  if (::flock(m_lock, LOCK_EX | LOCK_NB) != 0)
-  {
-    ::close(m_lock);
-    throw Error(folder.string(), "another FaceToBone is working on this case", "wait until it has finished");
-  }
-  carry_out(m_folder);
+  if (folder.empty() || !(fs::create_directories(folder, failed), fs::is_directory(folder, failed)))
+    throw Error(folder.empty() ? "the case folder" : folder.string(),
+                fs::exists(folder, failed) ? "it is not a folder" : "the folder cannot be made",
+                "choose another place or mend its permissions");
 }
 
-CaseFolder::~CaseFolder()
+/// Opens a folder and keeps other processes out of it until it is closed.
+int lock_folder(const Path& folder)
+{
+  const int handle = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (handle < 0 || ::access(folder.c_str(), W_OK | X_OK) != 0)
+  {
+    ::close(handle);
+    throw Error(folder.string(), "the folder is read-only", "choose a folder that you may write to");
+  }
+  // file systems without locks do without
+  if (::flock(handle, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+  {
+    ::close(handle);
+    throw Error(folder.string(), "another FaceToBone is working on this case", "wait until it has finished");
+  }
+  return handle;
+}
+
+} // namespace
+
+CaseFolder::MadeFolders::MadeFolders(const Path& folder)
 {
   std::error_code ignored;
-  if (m_made && std::distance(fs::directory_iterator(m_folder, ignored), {}) == 1)
-  {
-    fs::remove(m_folder / lock_name, ignored);
-    fs::remove(m_folder, ignored);
-  }
-  ::close(m_lock);
+  Path path = fs::absolute(folder).lexically_normal();
+  if (!path.has_filename()) // "out/" is "out"
+    path = path.parent_path();
+  for (; path.has_relative_path() && !fs::exists(path, ignored); path = path.parent_path())
+    m_made.push_back(path);
 }
+
+CaseFolder::MadeFolders::~MadeFolders()
+{
+  std::error_code ignored;
+  for (const Path& folder : m_made)
+    fs::remove(folder, ignored); // does nothing where there is something in it
+}
+
+CaseFolder::CaseFolder(const Path& folder) : m_made(folder)
+{
+  make_folder(folder);
+  m_folder = fs::canonical(folder);
+  m_lock = lock_folder(m_folder);
+  try
+  {
+    carry_out(m_folder);
+  }
+  catch (const std::exception&)
+  {
+    ::close(m_lock);
+    throw Error((m_folder / staging_name).string(), "what a stopped run left there cannot be tidied up",
+                "check permissions and free space, or remove it");
+  }
+}
+
+CaseFolder::~CaseFolder() { ::close(m_lock); }
 
 Path CaseFolder::require(const std::string& name, const std::string& step) const
 {
   if (!has(name))
     throw Error(m_folder.string(), "it holds no " + name,
-                "run 'facetobone " + step + "' on this folder first");
+                step == "segment"
+                    ? "make the case first: facetobone segment CASE.json -o " + m_folder.string()
+                    : "run 'facetobone " + step + "' on this folder first");
   return file(name);
+}
+
+void CaseFolder::require_replaceable(const std::vector<std::string>& names, const std::string& step) const
+{
+  const Ledger ledger = read_ledger(m_folder);
+  for (const std::string& name : names)
+  {
+    const Path parent = file(name).parent_path();
+    const Path in_the_way =
+        fs::exists(parent) && !fs::is_directory(parent) ? parent
+        : has(name) && !may_replace(ledger, name, step) ? file(name)
+                                                        : Path();
+    if (!in_the_way.empty())
+      throw Error(in_the_way.string(), "it is in the way of a result, and no earlier '" + step + "' made it",
+                  "move it away, or write to another folder");
+  }
 }
 
 std::vector<std::string> CaseFolder::matching(const std::string& begin, const std::string& end) const
@@ -155,13 +235,25 @@ std::vector<std::string> CaseFolder::matching(const std::string& begin, const st
   return names;
 }
 
+const std::vector<std::string>& case_file_names()
+{
+  static const std::vector<std::string> names = {
+      case_settings_name, "segment.json", "ct.nrrd", "labels.nrrd", "skin_distance.nrrd",
+      "bone_distance.nrrd", "closed_bone_distance.nrrd", "skin.vtp", "bone.vtp", "landmarks.mrk.json",
+      "cut.json", "cuts.mrk.json", "bone_parts.nrrd", "uncut_bone.vtp", "mesh.json", "mesh.vtu",
+      "target.json", "target.vtp", "plan.json", "predict.json", "predicted.vtp", "predicted.vtu",
+      "report.html"};
+  return names;
+}
+
 CaseChange::CaseChange(CaseFolder& folder) : m_case(folder), m_staging(folder.path() / staging_name)
 {
   std::error_code failed;
   fs::remove_all(m_staging, failed);
   fs::create_directory(m_staging, failed);
   if (failed)
-    throw Error(folder.path().string(), "the folder is read-only", "choose a folder that you may write to");
+    throw Error(folder.path().string(), "nothing can be written to it",
+                "check its permissions and the free space");
 }
 
 CaseChange::~CaseChange()
@@ -180,12 +272,13 @@ Path CaseChange::file(const std::string& name) const
 void CaseChange::commit(const std::string& step)
 {
   const std::vector<std::string> install = files_below(m_staging);
+  m_case.require_replaceable(install, step);
   Ledger ledger = read_ledger(m_case.path());
   std::vector<std::string> remove;
   for (const std::string& outdated : outdated_by(step))
   {
     for (const std::string& name : ledger[outdated])
-      if (std::find(install.begin(), install.end(), name) == install.end())
+      if (!holds(install, name))
         remove.push_back(name);
     ledger.erase(outdated);
   }
@@ -204,7 +297,15 @@ void CaseChange::commit(const std::string& step)
   write_text(m_staging / "journal.new", journal.dump(1));
   flush_to_disk(m_staging / "journal.new");
   fs::rename(m_staging / "journal.new", m_staging / journal_name);
-  carry_out(m_case.path());
+  try
+  {
+    carry_out(m_case.path());
+  }
+  catch (const fs::filesystem_error& error)
+  {
+    throw Error(error.path1().string(), "it cannot be put in place",
+                "check permissions and free space; the next facetobone on this folder tries again");
+  }
 }
 
 } // namespace f2b

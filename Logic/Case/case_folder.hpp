@@ -38,14 +38,29 @@ public:
   bool has(const std::string& name) const { return std::filesystem::exists(file(name)); }
   /// The path of a file that an earlier step made; throws Error naming that step where it is absent.
   Path require(const std::string& name, const std::string& step) const;
+  /// Throws Error if a file lies where a step's result is to go and the step may not replace it: the
+  /// user's own, or that of a sample.
+  void require_replaceable(const std::vector<std::string>& names, const std::string& step) const;
   /// Names of files, in order, that begin and end so.
   std::vector<std::string> matching(const std::string& begin, const std::string& end) const;
 
 private:
   friend class CaseChange;
+
+  /// Folders that were not there; those that stay empty are removed again.
+  class MadeFolders
+  {
+  public:
+    explicit MadeFolders(const Path& folder);
+    ~MadeFolders();
+
+  private:
+    std::vector<Path> m_made; ///< innermost first
+  };
+
+  MadeFolders m_made;
   Path m_folder;
-  int m_lock = -1;
-  bool m_made = false; ///< by us: removed again if it stays empty
+  int m_lock = -1; ///< the folder itself, open
 };
 
 /// New files for a case, all of which appear when `commit` is called, or none.
@@ -61,7 +76,7 @@ public:
   /// Where to write the file that is to become `name`.
   Path file(const std::string& name) const;
   Path folder() const { return m_staging; }
-  /// Puts the new files in place and removes what an earlier run of this step made, and the results
+  /// Puts the new files in place (Error if one of the user's own is in the way) and removes what an earlier run of this step made, and the results
   /// of later steps that rest on it: stale results are never shown as current.
   /// \param step  a step of the table above; a change that holds a whole case is a new `segment`
   void commit(const std::string& step);
@@ -70,6 +85,9 @@ private:
   CaseFolder& m_case;
   Path m_staging;
 };
+
+/// The names of the table that depend on no fragment and no method.
+const std::vector<std::string>& case_file_names();
 
 /// The settings that the case was made from, with absolute paths.
 inline constexpr const char* case_settings_name = "case.json";

@@ -19,19 +19,33 @@ using nlohmann::json;
 
 CaseSession::CaseSession(const Path& path, const json& case_document, const Path& source,
                          Progress told)
-    : folder(path), document(with_absolute_paths(case_document, source)),
-      settings(parse_settings(document, source)), progress(std::move(told))
+    : folder(path), progress(std::move(told))
 {
-  if (settings.threads > 0)
-    omp_set_num_threads(settings.threads);
+  change_settings(case_document, source);
+}
+
+// the folder comes first: opening it finishes what a killed process left, its settings among them
+CaseSession::CaseSession(const Path& path, Progress told) : folder(path), progress(std::move(told))
+{
+  const Path source = folder.require(case_settings_name, "segment");
+  change_settings(read_json(source), source);
 }
 
 CaseSession CaseSession::open(const Path& path, const Progress& progress)
 {
-  if (!std::filesystem::exists(path / case_settings_name))
-    throw Error(path.string(), "it holds no case.json",
+  if (!std::filesystem::is_directory(path))
+    throw Error(path.string(), "there is no such case folder",
                 "make the case first: facetobone segment CASE.json -o " + path.string());
-  return CaseSession(path, read_json(path / case_settings_name), path / case_settings_name, progress);
+  return CaseSession(path, progress);
+}
+
+void CaseSession::change_settings(const json& case_document, const Path& source)
+{
+  settings = parse_settings(case_document, source);
+  document = with_absolute_paths(case_document, source);
+  document["name"] = settings.name; // kept, as the file's own name is not
+  if (settings.threads > 0)
+    omp_set_num_threads(settings.threads);
 }
 
 void require_inputs_elsewhere(const CaseSettings& settings, const Path& folder)
@@ -55,12 +69,6 @@ json to_json(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 Vec3 vec3_from(const json& value)
 {
   return {value.at(0).get<double>(), value.at(1).get<double>(), value.at(2).get<double>()};
-}
-
-std::string file_part(std::string fragment)
-{
-  std::replace(fragment.begin(), fragment.end(), ' ', '_');
-  return fragment;
 }
 
 LoadedFace load_face(const CaseSession& session)
@@ -94,17 +102,11 @@ std::vector<RigidMotion> stated_motions(const Movements& movements, const Loaded
 {
   std::vector<RigidMotion> motions = rest_motions(face.model());
   const auto& names = face.mesh.fragments;
+  require_known_fragments(movements, names, source);
   for (const auto& [name, movement] : movements)
   {
-    const auto found = std::find(names.begin(), names.end(), name);
-    if (found == names.end())
-    {
-      std::string known;
-      for (const std::string& fragment : names)
-        known += (known.empty() ? "'" : ", '") + fragment + "'";
-      throw Error(source, "it moves a fragment '" + name + "' that no cut frees", "use " + known);
-    }
-    const auto f = static_cast<std::size_t>(found - names.begin());
+    const auto f =
+        static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
     motions[f] = movement.about(face.reference_points[f]);
   }
   return motions;

@@ -26,6 +26,11 @@ struct CaseSession
   /// Opens a folder for a new case.
   CaseSession(const Path& folder, const nlohmann::json& case_document, const Path& source,
               Progress progress = no_progress);
+  /// Replaces the settings; what follows works with them and keeps them in the case.
+  void change_settings(const nlohmann::json& case_document, const Path& source);
+
+private:
+  CaseSession(const Path& folder, Progress progress);
 };
 
 /// Throws Error if making the case in a folder would overwrite what it is to be made from.
@@ -46,9 +51,6 @@ private:
 
 nlohmann::json to_json(const Vec3& v);
 Vec3 vec3_from(const nlohmann::json& value);
-/// A fragment's name as part of a file name.
-std::string file_part(std::string fragment);
-
 /// Reference skin, mesh and laws of a meshed case, ready to be solved.
 struct LoadedFace
 {

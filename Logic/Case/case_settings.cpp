@@ -3,7 +3,9 @@
 #include "Bridge/resources.hpp"
 #include "Case/schema_check.hpp"
 #include "Core/error.hpp"
+#include "Core/geometry/osteotomy_templates.hpp"
 
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
 #include <set>
@@ -86,6 +88,19 @@ Movements movements_from(const json& value)
   return movements;
 }
 
+void require_known_template(const std::string& name, const std::string& where, const Path& source)
+{
+  std::string known;
+  for (const std::string& other : osteotomy_template_names())
+  {
+    if (name.empty() || name == other)
+      return;
+    known += (known.empty() ? "" : ", ") + other;
+  }
+  throw Error(source.string(), where + " has the template '" + name + "', which is not known",
+              "use one of " + known);
+}
+
 OsteotomySettings osteotomy_from(const json& value, std::size_t index, const Path& source)
 {
   OsteotomySettings o;
@@ -104,6 +119,7 @@ OsteotomySettings osteotomy_from(const json& value, std::size_t index, const Pat
   if (!o.planes.empty() && (!o.fragment_point || o.fragment.empty()))
     throw Error(source.string(), where + " has planes but no fragment_point_ras or no fragment name",
                 "name the fragment and give a point on the bone that is to be free");
+  require_known_template(o.template_name, where, source);
   return o;
 }
 
@@ -149,13 +165,25 @@ void read_groups(const json& document, CaseSettings& s)
   take(solver, "virtual_force_stiffness_n_per_mm3", s.virtual_force_stiffness);
 }
 
-void refuse_repeated_fragments(const CaseSettings& settings, const Path& source)
+/// What must fit together between one key and another.
+void check_together(const CaseSettings& s, const Path& source)
 {
-  std::set<std::string> names;
-  for (const OsteotomySettings& o : settings.osteotomies)
-    if (!o.fragment.empty() && !names.insert(o.fragment).second)
-      throw Error(source.string(), "two osteotomies free a fragment named '" + o.fragment + "'",
-                  "give each fragment its own name");
+  std::vector<std::string> named;
+  for (const OsteotomySettings& o : s.osteotomies)
+  {
+    if (!o.fragment.empty())
+      named.push_back(o.fragment);
+    if (!o.template_name.empty() && s.landmarks.empty())
+      throw Error(source.string(), "the template '" + o.template_name + "' needs landmarks, and '/landmarks' is absent",
+                  "give a file of Slicer fiducials");
+  }
+  require_distinct_fragments(named, source.string());
+  if (s.region_ras && !(s.region_ras->min.array() < s.region_ras->max.array()).all())
+    throw Error(source.string(), "'/region_ras' has a min that is not below its max on every axis",
+                "exchange the coordinates of that axis");
+  if (s.skin_threshold_hu && s.bone_threshold_hu && *s.skin_threshold_hu >= *s.bone_threshold_hu)
+    throw Error(source.string(), "'/thresholds/skin_hu' is not below '/thresholds/bone_hu'",
+                "give about -250 and 250");
 }
 
 } // namespace
@@ -180,13 +208,42 @@ CaseSettings parse_settings(const json& document, const Path& source)
   read_groups(document, s);
   for (std::size_t i = 0; i < document["osteotomies"].size(); ++i)
     s.osteotomies.push_back(osteotomy_from(document["osteotomies"][i], i, source));
-  refuse_repeated_fragments(s, source);
   s.target = target_from(document["target"], source);
   s.predict = movements_from(document.value("predict", json::object()));
+  check_together(s, source);
   take(document, "materials", s.materials);
   if (!carried_resource("Materials/" + s.materials + ".json"))
     s.materials = resolved(s.materials, source).string();
   return s;
+}
+
+std::string file_part(std::string fragment)
+{
+  std::replace(fragment.begin(), fragment.end(), ' ', '_');
+  return fragment;
+}
+
+void require_distinct_fragments(const std::vector<std::string>& names, const std::string& source)
+{
+  std::set<std::string> taken = {"predicted"}; // of the face: predicted_METHOD.vtp
+  for (const std::string& name : names)
+    if (!taken.insert(file_part(name)).second)
+      throw Error(source, "the name '" + name + "' of a fragment is already taken",
+                  "give each fragment its own name");
+}
+
+void require_known_fragments(const Movements& movements, const std::vector<std::string>& fragments,
+                             const std::string& source)
+{
+  for (const auto& [name, movement] : movements)
+  {
+    if (std::find(fragments.begin(), fragments.end(), name) != fragments.end())
+      continue;
+    std::string known;
+    for (const std::string& fragment : fragments)
+      known += (known.empty() ? "'" : ", '") + fragment + "'";
+    throw Error(source, "it moves a fragment '" + name + "' that no cut frees", "use " + known);
+  }
 }
 
 json with_absolute_paths(json document, const Path& source)

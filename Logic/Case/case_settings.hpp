@@ -68,6 +68,14 @@ struct CaseSettings
 /// Throws Error naming the file, the key, the value and what is allowed.
 CaseSettings parse_settings(const nlohmann::json& document, const Path& source);
 
+/// A fragment's name as part of a file name.
+std::string file_part(std::string fragment);
+/// Throws Error if files of two fragments, or of a fragment and the face, would have the same name.
+void require_distinct_fragments(const std::vector<std::string>& names, const std::string& source);
+/// Throws Error for a movement of what is no fragment.
+void require_known_fragments(const Movements& movements, const std::vector<std::string>& fragments,
+                             const std::string& source);
+
 /// The document with its paths made absolute, to be kept in a case folder.
 nlohmann::json with_absolute_paths(nlohmann::json document, const Path& source);
 

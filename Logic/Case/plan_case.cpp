@@ -5,11 +5,14 @@
 #include "Case/face_regions.hpp"
 #include "Case/verbs.hpp"
 #include "Core/error.hpp"
+#include "Core/geometry/bone_overlap.hpp"
 #include "Core/inverse/rigid_fit.hpp"
 #include "Core/inverse/skin_error.hpp"
 #include "Core/inverse/virtual_force.hpp"
+#include "Core/mesh/tissue_stretch.hpp"
 
 #include <cmath>
+#include <cstdio>
 
 #include <sys/resource.h>
 
@@ -78,6 +81,8 @@ public:
     m_target_points = target.points;
     m_target_normals = vertex_normals(target);
     m_regions = face_regions(session.folder, m_face.reference_skin.points);
+    m_bone = read_scalar_grid(session.folder.require("bone_distance.nrrd", "segment"));
+    m_bone_parts = read_label_grid(session.folder.require("bone_parts.nrrd", "cut"));
     require_overlap();
   }
 
@@ -88,7 +93,10 @@ public:
 private:
   void require_overlap() const;
   json errors(const std::vector<Vec3>& skin_displacement) const;
-  json fragments(const std::vector<RigidMotion>& motions);
+  json fragments(const std::string& method, const std::vector<RigidMotion>& motions);
+  json stretch(const std::vector<Vec3>& x) const;
+  void warn_of_overlap(const std::string& method, const std::string& fragment,
+                       const BoneOverlap& overlap);
   void write(const std::string& method, const std::vector<RigidMotion>& motions,
              const std::vector<Vec3>& x, const std::vector<Vec3>& skin_displacement);
   std::vector<double> distances(const std::vector<Vec3>& skin_displacement) const;
@@ -98,6 +106,8 @@ private:
   SkinTarget m_target;
   std::vector<Vec3> m_target_points, m_target_normals;
   FaceRegions m_regions;
+  ScalarGrid m_bone;
+  LabelGrid m_bone_parts;
   CaseChange m_change;
   json m_methods = json::object();
   json m_seconds = json::object();
@@ -137,12 +147,40 @@ json Planning::errors(const std::vector<Vec3>& skin_displacement) const
   return result;
 }
 
-json Planning::fragments(const std::vector<RigidMotion>& motions)
+/// Deeper than half a voxel, so that touching surfaces raise no alarm.
+void Planning::warn_of_overlap(const std::string& method, const std::string& fragment,
+                               const BoneOverlap& overlap)
+{
+  if (overlap.depth_mm < 0.5 * m_bone.spacing)
+    return;
+  char text[200];
+  std::snprintf(text, sizeof text,
+                "%s: '%s' runs into bone that stays, %.1f mm deep and %.0f mm3 in all, deepest at R %.0f, A %.0f, S %.0f",
+                method.c_str(), fragment.c_str(), overlap.depth_mm, overlap.volume_mm3,
+                overlap.deepest.x(), overlap.deepest.y(), overlap.deepest.z());
+  m_warnings.push_back(text);
+}
+
+json Planning::fragments(const std::string& method, const std::vector<RigidMotion>& motions)
 {
   json list = json::array();
   for (std::size_t f = 0; f < motions.size(); ++f)
-    list.push_back(motion_json(m_face.mesh.fragments[f], motions[f]));
+  {
+    const std::string& name = m_face.mesh.fragments[f];
+    const auto label = static_cast<unsigned char>(BonePartition::first_fragment + f);
+    const BoneOverlap overlap = overlap_with_uncut_bone(m_bone, m_bone_parts, label, motions[f]);
+    warn_of_overlap(method, name, overlap);
+    list.push_back(motion_json(name, motions[f]));
+    list.back()["overlap_with_uncut_bone"] = {{"volume_mm3", overlap.volume_mm3},
+                                              {"depth_mm", overlap.depth_mm}};
+  }
   return list;
+}
+
+json Planning::stretch(const std::vector<Vec3>& x) const
+{
+  const TissueStretch s = tissue_stretch(m_face.mesh, x);
+  return {{"p99", s.p99}, {"max", s.max}, {"max_at_ras", to_json(s.where)}};
 }
 
 void Planning::write(const std::string& method, const std::vector<RigidMotion>& motions,
@@ -212,8 +250,9 @@ void Planning::rigid_fit()
   json iterations = json::array();
   for (const RigidFitIteration& i : fit.iterations)
     iterations.push_back({{"objective", i.objective}, {"translation_mm", i.translation_mm}, {"rotation_rad", i.rotation_rad}});
-  m_methods["rigid-fit"] = {{"fragments", fragments(fit.motions)},
+  m_methods["rigid-fit"] = {{"fragments", fragments("rigid-fit", fit.motions)},
                             {"skin_error_mm", errors(fit.skin_displacement)},
+                            {"tissue_stretch", stretch(fit.x)},
                             {"termination", text_of(fit.termination)},
                             {"iterations", iterations},
                             {"equilibrium", summary_json(fit.equilibrium)}};
@@ -238,9 +277,10 @@ void Planning::virtual_force()
     m_warnings.push_back("virtual-force: the face could be predicted only for " +
                          std::to_string(std::lround(100 * again.summary.load_reached)) +
                          " % of the movement that it found");
-  m_methods["virtual-force"] = {{"fragments", fragments(dragged.motions)},
+  m_methods["virtual-force"] = {{"fragments", fragments("virtual-force", dragged.motions)},
                                 {"skin_error_mm", errors(again.skin_displacement)},
                                 {"load_residual_mm", errors(dragged.skin_displacement)},
+                                {"tissue_stretch", stretch(again.x)},
                                 {"stiffness_n_per_mm3", options.stiffness_n_per_mm3},
                                 {"equilibrium", summary_json(dragged.equilibrium)},
                                 {"prediction", summary_json(again.summary)}};

@@ -23,6 +23,7 @@ void run_case(const nlohmann::json& document, const Path& source, const Path& fo
                                {target_case, 0.3, 0.4}, {plan_case, 0.4, 0.92}, {report_case, 0.92, 1}};
   require_inputs_elsewhere(parse_settings(document, source), folder);
   CaseFolder destination(folder);
+  destination.require_replaceable(case_file_names(), "segment");
   CaseChange change(destination);
   {
     CaseSession session(change.folder(), document, source);

@@ -81,24 +81,22 @@ void refuse_unknown_keys(const json& value, const json& rule_or_reference, const
       throw Error(source, "unknown key '" + where + "/" + key + "'", keys_of(properties, key));
 }
 
-std::string pointer_from(const std::vector<std::string>& context)
+/// Where valijson found a fault. It writes ["<root>", "[mesh]", "[density]"].
+json::json_pointer pointer_from(const std::vector<std::string>& context)
 {
-  // valijson writes ["<root>", "[mesh]", "[density]"]
-  std::string pointer;
+  json::json_pointer pointer;
   for (std::size_t i = 1; i < context.size(); ++i)
-    pointer += "/" + context[i].substr(1, context[i].size() - 2);
-  return pointer.empty() ? "/" : pointer;
+    pointer.push_back(context[i].substr(1, context[i].size() - 2));
+  return pointer;
 }
 
-std::string allowed(const json& root, const std::string& pointer)
+/// The schema's rule for the value at a place; null where it has none.
+const json* rule_at(const json& root, const std::vector<std::string>& context)
 {
   const json* rule = &root;
-  json::json_pointer at(pointer == "/" ? "" : pointer);
-  for (std::string step = pointer == "/" ? "" : pointer; !step.empty();)
+  for (std::size_t i = 1; i < context.size(); ++i)
   {
-    const auto next = step.find('/', 1);
-    const std::string key = step.substr(1, next == std::string::npos ? next : next - 1);
-    step = next == std::string::npos ? "" : step.substr(next);
+    const std::string key = context[i].substr(1, context[i].size() - 2);
     const json& here = resolved(*rule, root);
     if (here.contains("items"))
       rule = &here["items"];
@@ -107,9 +105,16 @@ std::string allowed(const json& root, const std::string& pointer)
     else if (here.contains("additionalProperties") && here["additionalProperties"].is_object())
       rule = &here["additionalProperties"];
     else
-      return "see Resources/Schema/case.schema.json";
+      return nullptr;
   }
-  const json& here = resolved(*rule, root);
+  return rule;
+}
+
+constexpr const char* see_schema = "see Resources/Schema/case.schema.json";
+
+/// \param rule, here  a rule as it stands, and where its reference leads
+std::string allowed(const json& rule, const json& here)
+{
   std::string text;
   if (here.contains("type"))
     text += "give " + here["type"].get<std::string>();
@@ -120,9 +125,23 @@ std::string allowed(const json& root, const std::string& pointer)
     text += " with " + here["required"].dump();
   if (here.contains("enum"))
     text += "give one of " + here["enum"].dump();
-  if (rule->contains("description"))
-    text += " (" + (*rule)["description"].get<std::string>() + ")";
-  return text.empty() ? "see Resources/Schema/case.schema.json" : text;
+  if (rule.contains("description"))
+    text += " (" + rule["description"].get<std::string>() + ")";
+  return text.empty() ? see_schema : text;
+}
+
+/// What is wrong with a value, or with an object that lacks a key.
+std::string fault_text(const json& document, const json::json_pointer& at, const json& rule)
+{
+  const std::string where = at.to_string();
+  if (document.contains(at) && document.at(at).is_object())
+    for (const json& key : rule.value("required", json::array()))
+      if (!document.at(at).contains(key.get<std::string>()))
+        return "'" + where + "/" + key.get<std::string>() + "' is absent";
+  std::string value = document.contains(at) ? document.at(at).dump() : "absent";
+  if (value.size() > 60)
+    value = value.substr(0, 57) + "...";
+  return (where.empty() ? "the document" : "'" + where + "'") + " is " + value + ", which is not allowed";
 }
 
 } // namespace
@@ -142,12 +161,10 @@ void check_against_schema(const json& document, const json& schema, const std::s
   while (results.popError(fault))
     if (fault.context.size() >= deepest.context.size())
       deepest = fault;
-  const std::string pointer = pointer_from(deepest.context);
-  const json::json_pointer at(pointer == "/" ? "" : pointer);
-  std::string value = document.contains(at) ? document.at(at).dump() : "absent";
-  if (value.size() > 60)
-    value = value.substr(0, 57) + "...";
-  throw Error(source, "'" + pointer + "' is " + value + ", which is not allowed", allowed(schema, pointer));
+  const json::json_pointer at = pointer_from(deepest.context);
+  const json* rule = rule_at(schema, deepest.context);
+  const json& here = rule ? resolved(*rule, schema) : schema;
+  throw Error(source, fault_text(document, at, here), rule ? allowed(*rule, here) : see_schema);
 }
 
 } // namespace f2b

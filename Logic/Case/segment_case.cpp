@@ -3,6 +3,7 @@
 #include "Bridge/markups.hpp"
 #include "Bridge/material_file.hpp"
 #include "Case/verbs.hpp"
+#include "Case/warp_points.hpp"
 #include "Core/error.hpp"
 #include "Imaging/read_ct.hpp"
 #include "Imaging/segment_head.hpp"
@@ -21,24 +22,46 @@ void require_file(const Path& path, const char* key)
     throw Error(path.string(), "there is no such file", std::string("correct '") + key + "' in the case file");
 }
 
-/// What later steps will read is looked at now, not after minutes of work.
-void check_inputs(const CaseSettings& s)
+/// Reads the cuts' inputs; returns the names of the fragments.
+std::vector<std::string> check_cuts(const CaseSettings& s)
 {
   require_file(s.landmarks, "/landmarks");
-  require_file(s.target.mesh, "/target/mesh");
-  require_file(s.target.warp_from, "/target/warp/from");
-  require_file(s.target.warp_to, "/target/warp/to");
+  const Landmarks landmarks = s.landmarks.empty() ? Landmarks{} : read_landmarks(s.landmarks);
+  std::vector<std::string> fragments;
   for (const OsteotomySettings& o : s.osteotomies)
+  {
     for (const Path& planes : o.planes)
     {
       require_file(planes, "/osteotomies/planes");
       (void)read_planes(planes);
     }
+    fragments.push_back(o.template_name.empty()
+                            ? o.fragment
+                            : osteotomy_from_template(o.template_name, o.fragment, landmarks, o.kerf_mm).fragment);
+  }
+  require_distinct_fragments(fragments, "'/osteotomies'");
+  return fragments;
+}
+
+void check_target(const TargetSettings& target)
+{
+  require_file(target.mesh, "/target/mesh");
+  require_file(target.warp_from, "/target/warp/from");
+  require_file(target.warp_to, "/target/warp/to");
+  if (!target.mesh.empty())
+    (void)read_surface(target.mesh);
+  if (!target.warp_from.empty())
+    (void)read_warp_points(target);
+}
+
+/// What later steps will read is looked at now, not after minutes of work.
+void check_inputs(const CaseSettings& s)
+{
+  const std::vector<std::string> fragments = check_cuts(s);
+  check_target(s.target);
+  require_known_fragments(s.target.movements, fragments, "'/target/from_movement'");
+  require_known_fragments(s.predict, fragments, "'/predict'");
   (void)read_materials(s.materials);
-  const Landmarks landmarks = s.landmarks.empty() ? Landmarks{} : read_landmarks(s.landmarks);
-  for (const OsteotomySettings& o : s.osteotomies)
-    if (!o.template_name.empty())
-      (void)osteotomy_from_template(o.template_name, o.fragment, landmarks, o.kerf_mm);
 }
 
 SegmentOptions segment_options(const CaseSettings& s)
@@ -69,6 +92,7 @@ void segment_case(CaseSession& session)
 {
   const Stopwatch watch;
   check_inputs(session.settings);
+  session.folder.require_replaceable(case_file_names(), "segment");
   session.progress("reading the CT", 0);
   const CtImage::Pointer ct = read_ct(session.settings.ct);
   const HeadSegmentation head = segment_head(*ct, segment_options(session.settings), session.progress);

@@ -1,6 +1,6 @@
 #include "Bridge/json_file.hpp"
-#include "Bridge/markups.hpp"
 #include "Case/verbs.hpp"
+#include "Case/warp_points.hpp"
 #include "Core/error.hpp"
 #include "Core/geometry/landmark_warp.hpp"
 #include "Core/inverse/skin_error.hpp"
@@ -25,18 +25,41 @@ std::string millimetres(double value)
   return text;
 }
 
-std::vector<Vec3> from_mesh(const Path& path, const TriangleMesh& reference)
+/// Whether two surfaces join the same vertices. Editors may start a triangle at another corner and
+/// write triangles in another order.
+bool same_triangles(const TriangleMesh& a, const TriangleMesh& b)
 {
-  const vtkSmartPointer<vtkPolyData> edited = read_surface(path);
-  const auto count = static_cast<std::size_t>(edited->GetNumberOfPoints());
-  if (count != reference.points.size())
+  auto sorted = [](const TriangleMesh& mesh)
+  {
+    std::vector<Triangle> triangles = mesh.triangles;
+    for (Triangle& t : triangles)
+      std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+    std::sort(triangles.begin(), triangles.end());
+    return triangles;
+  };
+  return sorted(a) == sorted(b);
+}
+
+/// The edited reference skin, if it is one.
+TriangleMesh edited_skin(const Path& path, const TriangleMesh& reference)
+{
+  const TriangleMesh edited = to_triangle_mesh(read_surface(path));
+  if (edited.points.size() != reference.points.size())
     throw Error(path.string(),
-                "it has " + std::to_string(count) + " vertices, the reference skin " +
+                "it has " + std::to_string(edited.points.size()) + " vertices, the reference skin " +
                     std::to_string(reference.points.size()),
                 "edit the exported skin.vtp without adding, removing or merging vertices");
-  std::vector<Vec3> displacement = points_of(edited);
+  if (!same_triangles(edited, reference))
+    throw Error(path.string(), "its triangles join other vertices than those of the reference skin",
+                "edit the exported skin.vtp and keep the order of its vertices");
+  return edited;
+}
+
+std::vector<Vec3> from_mesh(const Path& path, const TriangleMesh& reference)
+{
+  std::vector<Vec3> displacement = edited_skin(path, reference).points;
   double longest = 0;
-  for (std::size_t v = 0; v < count; ++v)
+  for (std::size_t v = 0; v < displacement.size(); ++v)
   {
     displacement[v] -= reference.points[v];
     longest = std::max(longest, displacement[v].norm());
@@ -47,29 +70,10 @@ std::vector<Vec3> from_mesh(const Path& path, const TriangleMesh& reference)
   return displacement;
 }
 
-/// The points of `to`, in the order of `from`'s labels.
-std::vector<Vec3> matched_points(const TargetSettings& target, const PointMarkup& from)
-{
-  const Landmarks to = read_landmarks(target.warp_to);
-  std::vector<Vec3> points;
-  for (const ControlPoint& point : from.points)
-  {
-    const auto found = to.find(point.label);
-    if (found == to.end())
-      throw Error(target.warp_to.string(), "it has no point '" + point.label + "'",
-                  "give every point of " + target.warp_from.string() + " its counterpart");
-    points.push_back(found->second);
-  }
-  return points;
-}
-
 std::vector<Vec3> from_warp(const TargetSettings& target, const TriangleMesh& reference)
 {
-  const PointMarkup from = read_points(target.warp_from);
-  std::vector<Vec3> begin;
-  for (const ControlPoint& point : from.points)
-    begin.push_back(point.position);
-  const LandmarkWarp warp(begin, matched_points(target, from), target.warp_radius_mm);
+  const WarpPoints points = read_warp_points(target);
+  const LandmarkWarp warp(points.from, points.to, target.warp_radius_mm);
   std::vector<Vec3> displacement;
   for (const Vec3& p : reference.points)
     displacement.push_back(warp.displacement(p));

@@ -7,7 +7,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include <cstdio>
+#include <algorithm>
 #include <functional>
 #include <iostream>
 #include <new>
@@ -41,7 +41,8 @@ void print_plan(const Path& folder)
 {
   std::cout << plan_table(read_json(folder / "plan.json"));
   if (std::filesystem::exists(folder / "report.html"))
-    std::cout << "Report: " << std::filesystem::absolute(folder / "report.html").string() << "\n";
+    std::cout << "Report: " << std::filesystem::absolute(folder / "report.html").lexically_normal().string()
+              << "\n";
 }
 
 void run(const Arguments& a, const Progress& progress)
@@ -57,36 +58,37 @@ void segment(const Arguments& a, const Progress& progress)
   segment_case(session);
 }
 
-/// Settings that the command line changes become part of the case.
-void change_settings(CaseSession& session, const Path& source)
-{
-  session.document = with_absolute_paths(session.document, source);
-  session.settings = parse_settings(session.document, source);
-}
+/// Says where a setting comes from; relative paths in it start from where the user stands.
+constexpr const char* from_arguments = "command line";
+
+// Settings that the command line changes become part of the case.
 
 void target(const Arguments& a, const Progress& progress)
 {
   CaseSession session = CaseSession::open(a.folder, progress);
-  nlohmann::json& target = session.document["target"];
+  nlohmann::json document = session.document;
+  nlohmann::json& target = document["target"];
   const bool warp = !a.warp_from.empty() || !a.warp_to.empty();
   if (!a.target_mesh.empty() || warp || !a.movements.empty())
-    target = nlohmann::json::object();
+    for (const char* kind : {"mesh", "warp", "from_movement"})
+      target.erase(kind);
   if (!a.target_mesh.empty())
     target["mesh"] = a.target_mesh;
   if (warp)
     target["warp"] = {{"from", a.warp_from}, {"to", a.warp_to}, {"radius_mm", a.warp_radius_mm}};
   if (!a.movements.empty())
     target["from_movement"] = movements_from_arguments(a.movements);
-  change_settings(session, "./command line"); // paths start from where the user stands
+  session.change_settings(document, from_arguments);
   target_case(session);
 }
 
 void predict(const Arguments& a, const Progress& progress)
 {
   CaseSession session = CaseSession::open(a.folder, progress);
+  nlohmann::json document = session.document;
   if (!a.movements.empty())
-    session.document["predict"] = movements_from_arguments(a.movements);
-  change_settings(session, "./command line");
+    document["predict"] = movements_from_arguments(a.movements);
+  session.change_settings(document, from_arguments);
   predict_case(session);
 }
 
@@ -159,19 +161,25 @@ std::map<CLI::App*, Action> add_verbs(CLI::App& app, Arguments& a)
   return actions;
 }
 
-int report_failure(const char* text, int code)
+int report_failure(std::string text, int code)
 {
+  // one line, whatever a library says
+  std::replace_if(text.begin(), text.end(), [](unsigned char c) { return c < ' '; }, ' ');
   std::cerr << "facetobone: " << text << "\n";
   return code;
 }
 
 /// Every failure leaves here as one line and one exit code.
-int perform(const Action& action, const Arguments& a)
+int perform(const std::string& verb, const Action& action, const Arguments& a)
 {
   try
   {
-    ProgressBar bar(a.quiet);
-    action(a, bar.callback());
+    {
+      ProgressBar bar(a.quiet);
+      action(a, bar.callback());
+    }
+    if (verb == "run" || verb == "plan")
+      print_plan(a.folder);
     return ok;
   }
   catch (const Error& error)
@@ -198,6 +206,7 @@ int main(int argc, char** argv)
                "Try:  facetobone sample -o patient && facetobone run patient/case.json -o plan");
   app.set_version_flag("--version", std::string("facetobone ") + FACETOBONE_VERSION);
   app.require_subcommand(1);
+  app.fallthrough(); // --quiet may stand after the verb
   app.get_formatter()->column_width(32);
   Arguments arguments;
   app.add_flag("-q,--quiet", arguments.quiet, "No progress bar");
@@ -208,13 +217,13 @@ int main(int argc, char** argv)
   }
   catch (const CLI::ParseError& error)
   {
-    const bool asked = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success);
-    app.exit(error);
-    return asked ? ok : bad_input;
+    if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success))
+      return app.exit(error); // help or version
+    const auto verbs = app.get_subcommands();
+    return report_failure(std::string(error.what()) + "; see facetobone " +
+                              (verbs.empty() ? "" : verbs.front()->get_name() + " ") + "--help",
+                          bad_input);
   }
   CLI::App* verb = app.get_subcommands().front();
-  const int code = perform(actions.at(verb), arguments);
-  if (code == ok && (verb->get_name() == "run" || verb->get_name() == "plan"))
-    print_plan(arguments.folder);
-  return code;
+  return perform(verb->get_name(), actions.at(verb), arguments);
 }

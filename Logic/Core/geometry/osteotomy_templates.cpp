@@ -2,6 +2,7 @@
 
 #include "Core/error.hpp"
 
+#include <algorithm>
 #include <functional>
 
 namespace f2b
@@ -18,6 +19,7 @@ public:
         right((at("Or_R") - at("Or_L")).normalized())
   {
   }
+  bool has(const std::string& name) const { return m_landmarks.count(name) > 0; }
   const Vec3& at(const std::string& name) const
   {
     const auto found = m_landmarks.find(name);
@@ -59,8 +61,9 @@ void part_maxilla_from_below(const Face& face, const Vec3& forward, const Vec3& 
 {
   const Vec3 up = face.right.cross(forward);
   const Vec3 molars = 0.5 * (face.at("U6_R") + face.at("U6_L"));
-  // half of an open bite's gap below the upper cusps
-  const Vec3 bite_front = face.at("U1") - 0.5 * up + 12 * forward;
+  // the middle of an open bite's gap; where the teeth meet or overlap, just below the upper ones
+  const double gap = face.has("L1") ? (face.at("U1") - face.at("L1")).dot(up) : 0;
+  const Vec3 bite_front = face.at("U1") - std::clamp(0.5 * gap, 0.5, 3.0) * up + 12 * forward;
   const Vec3 along_bite = across(face.at("U1") - molars, face.right);
   const double depth = (bite_front - back_top).dot(forward) / along_bite.dot(forward) + 3;
   const Vec3 bite_back = bite_front - depth * along_bite;

@@ -17,7 +17,7 @@ std::vector<std::string> osteotomy_template_names();
 /// Places a template's planes by landmarks, as a first cut that the surgeon edits.
 ///
 /// - `le-fort-1`: level of the piriform rim, 5 mm above the palatal plane; behind the tuberosities;
-///   between the tooth rows. Needs ANS, PNS, Or_R, Or_L, U1, U6_R, U6_L.
+///   between the tooth rows. Needs ANS, PNS, Or_R, Or_L, U1, U6_R, U6_L; uses L1 if there.
 /// - `le-fort-3`: nasofrontal suture through the orbits to the pterygomaxillary junction; arches;
 ///   between the tooth rows. Needs N and the landmarks above.
 /// - `genioplasty`: from below B back to the lower border of the mandible. Needs Or_R, Or_L, B, Pg,

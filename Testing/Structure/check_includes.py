@@ -1,0 +1,51 @@
+"""Fails where a room of Logic/ includes what it must not know; arrows point down only."""
+import pathlib
+import re
+import sys
+
+root = pathlib.Path(__file__).resolve().parents[2]
+ROOMS = {
+    "Core": {"Core"},
+    "Imaging": {"Core", "Imaging"},
+    "Meshing": {"Core", "Meshing"},
+    "Bridge": {"Core", "Bridge"},
+    "Rendering": {"Core", "Rendering"},
+    "Case": {"Core", "Imaging", "Meshing", "Bridge", "Rendering", "Case"},
+    "CommandLine": {"Core", "Bridge", "Case", "CommandLine"},
+}
+LIBRARIES = {  # first letters of a header -> the rooms that may include it
+    r"vtk": {"Meshing", "Bridge", "Rendering", "Case"},
+    r"itk": {"Imaging", "Bridge"},
+    r"CGAL/": {"Meshing"},
+    r"nlohmann/": {"Bridge", "Case", "CommandLine"},
+    r"valijson/": {"Case"},
+    r"CLI/": {"CommandLine"},
+    r"Q[A-Z]|qMRML|qSlicer": set(),
+    r"vtkMRML": set(),
+    r"cholmod": {"Core"},
+    r"(fstream|filesystem)$": set(ROOMS) - {"Core"},
+}
+
+
+def faults(path, room):
+    for number, line in enumerate(path.read_text().splitlines(), 1):
+        include = re.match(r'\s*#\s*include\s*[<"]([^>"]+)[>"]', line)
+        if not include:
+            continue
+        header = include.group(1)
+        other = header.split("/")[0]
+        if other in ROOMS and other not in ROOMS[room]:
+            yield f"{path.relative_to(root)}:{number}: {room} must not include {other}"
+        for pattern, allowed in LIBRARIES.items():
+            if re.match(pattern, header) and room not in allowed:
+                yield f"{path.relative_to(root)}:{number}: {room} must not include {header}"
+
+
+found = [fault for room in ROOMS for path in sorted((root / "Logic" / room).rglob("*.[hc]pp"))
+         for fault in faults(path, room)]
+holds = {entry.name for entry in root.iterdir() if not entry.name.startswith(".")}
+extra = holds - {"CMakeLists.txt", "CMakePresets.json", "README.md", "LICENSE", "Logic", "MRML", "Widgets",
+                 "Testing", "Resources"}
+found += [f"the top level holds {name}" for name in sorted(extra)]
+print("\n".join(found) or "every room includes only what it may")
+sys.exit(1 if found else 0)
