@@ -147,11 +147,11 @@ json Planning::errors(const std::vector<Vec3>& skin_displacement) const
   return result;
 }
 
-/// Deeper than half a voxel, so that touching surfaces raise no alarm.
+/// Deeper than a voxel, so that touching surfaces raise no alarm.
 void Planning::warn_of_overlap(const std::string& method, const std::string& fragment,
                                const BoneOverlap& overlap)
 {
-  if (overlap.depth_mm < 0.5 * m_bone.spacing)
+  if (overlap.depth_mm < m_bone.spacing)
     return;
   char text[200];
   std::snprintf(text, sizeof text,

@@ -54,10 +54,15 @@ BoundedPlane plane_between(const std::string& name, const Vec3& right, const Vec
   return plane;
 }
 
+/// As wide as the tooth-bearing maxilla, and no wider: the ramus and the coronoid process beside it stay
+/// whole.
+double maxilla_width(const Face& face) { return (face.at("U6_R") - face.at("U6_L")).norm() + 30; }
+
 /// The planes behind and below the maxilla that Le Fort I and III share.
 /// \param back_top  where the upper cut ends behind
+/// \param back_width_mm  of the plane behind
 void part_maxilla_from_below(const Face& face, const Vec3& forward, const Vec3& back_top,
-                             Osteotomy& osteotomy)
+                             double back_width_mm, Osteotomy& osteotomy)
 {
   const Vec3 up = face.right.cross(forward);
   const Vec3 molars = 0.5 * (face.at("U6_R") + face.at("U6_L"));
@@ -68,9 +73,9 @@ void part_maxilla_from_below(const Face& face, const Vec3& forward, const Vec3& 
   const double depth = (bite_front - back_top).dot(forward) / along_bite.dot(forward) + 3;
   const Vec3 bite_back = bite_front - depth * along_bite;
   osteotomy.planes.push_back(
-      plane_between(osteotomy.fragment + " posterior", face.right, back_top + 3 * up, bite_back - 4 * up, 150));
+      plane_between(osteotomy.fragment + " posterior", face.right, back_top + 3 * up, bite_back - 4 * up, back_width_mm));
   osteotomy.planes.push_back(
-      plane_between(osteotomy.fragment + " occlusal", face.right, bite_front, bite_back, 110));
+      plane_between(osteotomy.fragment + " occlusal", face.right, bite_front, bite_back, maxilla_width(face)));
 }
 
 Osteotomy le_fort_1(const Face& face)
@@ -82,7 +87,7 @@ Osteotomy le_fort_1(const Face& face)
   const Vec3 back = face.at("PNS") - 4 * forward + 5 * up;
   osteotomy.fragment = "maxilla";
   osteotomy.planes.push_back(plane_between("maxilla upper", face.right, front, back - 3 * forward, 130));
-  part_maxilla_from_below(face, forward, back, osteotomy);
+  part_maxilla_from_below(face, forward, back, maxilla_width(face), osteotomy);
   osteotomy.fragment_point = face.at("ANS") - 5 * forward - 3 * up;
   return osteotomy;
 }
@@ -98,7 +103,7 @@ Osteotomy le_fort_3(const Face& face)
   osteotomy.fragment = "mid-face";
   osteotomy.planes.push_back(
       plane_between("mid-face upper", face.right, front, back + 3 * down_the_orbit, 160));
-  part_maxilla_from_below(face, forward, back, osteotomy);
+  part_maxilla_from_below(face, forward, back, 150, osteotomy); // through both zygomatic arches
   osteotomy.fragment_point = face.at("ANS") - 5 * forward - 3 * up;
   return osteotomy;
 }
