@@ -67,7 +67,8 @@ void write(const std::filesystem::path& path, const Grid& grid)
   }
   catch (const itk::ExceptionObject&)
   {
-    throw Error(path.string(), "it cannot be written", "check the folder's permissions and free space");
+    throw Error(path.string(), "it cannot be written",
+                "check the folder's permissions and free space");
   }
 }
 
@@ -104,12 +105,18 @@ Grid read(const std::filesystem::path& path)
 
 } // namespace
 
-void write_grid(const std::filesystem::path& path, const ScalarGrid& grid) { write<float>(path, grid); }
+void write_grid(const std::filesystem::path& path, const ScalarGrid& grid)
+{
+  write<float>(path, grid);
+}
 void write_grid(const std::filesystem::path& path, const LabelGrid& grid)
 {
   write<unsigned char>(path, grid);
 }
-ScalarGrid read_scalar_grid(const std::filesystem::path& path) { return read<float, ScalarGrid>(path); }
+ScalarGrid read_scalar_grid(const std::filesystem::path& path)
+{
+  return read<float, ScalarGrid>(path);
+}
 LabelGrid read_label_grid(const std::filesystem::path& path)
 {
   return read<unsigned char, LabelGrid>(path);

@@ -29,7 +29,8 @@ nlohmann::json read_json(const std::filesystem::path& path)
   }
   catch (const nlohmann::json::parse_error& error)
   {
-    const auto byte = static_cast<std::ptrdiff_t>(std::min<std::size_t>(error.byte, content.size()));
+    const auto byte =
+        static_cast<std::ptrdiff_t>(std::min<std::size_t>(error.byte, content.size()));
     const auto line = 1 + std::count(content.begin(), content.begin() + byte, '\n');
     throw Error(path.string(), "it is not valid JSON near line " + std::to_string(line),
                 "correct that line: a missing comma, quote or bracket is the usual cause");
@@ -42,7 +43,8 @@ void write_json(const std::filesystem::path& path, const nlohmann::json& documen
   file << document.dump(2) << '\n';
   file.close();
   if (!file)
-    throw Error(path.string(), "it cannot be written", "check the folder's permissions and free space");
+    throw Error(path.string(), "it cannot be written",
+                "check the folder's permissions and free space");
 }
 
 } // namespace f2b

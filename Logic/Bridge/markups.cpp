@@ -15,9 +15,9 @@ namespace
 using nlohmann::json;
 using std::filesystem::path;
 
-constexpr const char* schema =
-    "https://raw.githubusercontent.com/slicer/slicer/master/Modules/Loadable/Markups/Resources/Schema/"
-    "markups-schema-v1.0.3.json#";
+constexpr const char* schema = "https://raw.githubusercontent.com/slicer/slicer/master/Modules/"
+                               "Loadable/Markups/Resources/Schema/"
+                               "markups-schema-v1.0.3.json#";
 
 /// Minus one on the axes that LPS counts the other way.
 Vec3 flip_of(const json& markup, const path& file)
@@ -121,7 +121,8 @@ auto decoded(const path& file, Decoder decoder)
   }
   catch (const json::exception&)
   {
-    throw Error(file.string(), "a markup has a field of the wrong type", "save it again from Slicer");
+    throw Error(file.string(), "a markup has a field of the wrong type",
+                "save it again from Slicer");
   }
 }
 
@@ -138,7 +139,8 @@ PointMarkup read_points(const path& file)
                    require_point_type(result.type, file);
                    result.points = control_points(markups.front(), file);
                    if (result.points.empty())
-                     throw Error(file.string(), "it holds no points", "place them in Slicer and save again");
+                     throw Error(file.string(), "it holds no points",
+                                 "place them in Slicer and save again");
                    return result;
                  });
 }
@@ -153,7 +155,8 @@ Landmarks read_landmarks(const path& file)
   Landmarks landmarks;
   for (const ControlPoint& point : read_points(file).points)
     if (!landmarks.emplace(point.label, point.position).second)
-      throw Error(file.string(), "the landmark '" + point.label + "' appears twice", "remove one of them");
+      throw Error(file.string(), "the landmark '" + point.label + "' appears twice",
+                  "remove one of them");
   return landmarks;
 }
 
@@ -186,12 +189,14 @@ void set_axes(BoundedPlane& plane, const json& markup, const path& file, const V
     if (!markup.contains("normal"))
       throw Error(file.string(), "plane '" + plane.name + "' has neither orientation nor normal",
                   "save it again from Slicer 5 or newer");
-    const Vec3 n = vector_from(markup["normal"], file, "normal of '" + plane.name + "'").cwiseProduct(flip);
+    const Vec3 n =
+        vector_from(markup["normal"], file, "normal of '" + plane.name + "'").cwiseProduct(flip);
     plane.u = n.unitOrthogonal();
     plane.v = n.cross(plane.u);
   }
   if (!(plane.u.norm() > 1e-6) || !(plane.normal().norm() > 1e-6))
-    throw Error(file.string(), "plane '" + plane.name + "' has no direction", "place it again in Slicer");
+    throw Error(file.string(), "plane '" + plane.name + "' has no direction",
+                "place it again in Slicer");
   plane.u.normalize();
   plane.v = (plane.v - plane.u * plane.u.dot(plane.v)).normalized();
 }
@@ -218,7 +223,8 @@ void set_extent(BoundedPlane& plane, const json& markup, const path& file)
     plane.half_v = 0.5 * s.y();
   }
   if (!(plane.half_u > 0) || !(plane.half_v > 0))
-    throw Error(file.string(), "plane '" + plane.name + "' has no extent", "give it a size in Slicer");
+    throw Error(file.string(), "plane '" + plane.name + "' has no extent",
+                "give it a size in Slicer");
 }
 
 BoundedPlane plane_from(const json& markup, const path& file)
@@ -231,11 +237,13 @@ BoundedPlane plane_from(const json& markup, const path& file)
   if (plane.name.empty())
     plane.name = points.empty() || points[0].label.empty() ? stem : points[0].label;
   if (markup.contains("center"))
-    plane.center = vector_from(markup["center"], file, "center of '" + plane.name + "'").cwiseProduct(flip);
+    plane.center =
+        vector_from(markup["center"], file, "center of '" + plane.name + "'").cwiseProduct(flip);
   else if (!points.empty())
     plane.center = points[0].position;
   else
-    throw Error(file.string(), "plane '" + plane.name + "' has no center", "place it again in Slicer");
+    throw Error(file.string(), "plane '" + plane.name + "' has no center",
+                "place it again in Slicer");
   set_axes(plane, markup, file, flip);
   set_extent(plane, markup, file);
   return plane;
@@ -247,7 +255,8 @@ json matrix_json(const Vec3& x, const Vec3& y, const Vec3& z, const Vec3& origin
   json m = json::array();
   for (int row = 0; row < 4; ++row)
     for (const Vec3* column : {&x, &y, &z, &origin})
-      m.push_back(row < 3 ? (*column)[row] * (row < 2 ? -1.0 : 1.0) : (column == &origin ? 1.0 : 0.0));
+      m.push_back(row < 3 ? (*column)[row] * (row < 2 ? -1.0 : 1.0)
+                          : (column == &origin ? 1.0 : 0.0));
   return m;
 }
 

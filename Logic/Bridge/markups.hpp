@@ -6,7 +6,8 @@
 
 /// How do landmarks, curves and planes travel between Slicer and us? Slicer markups, `.mrk.json`.
 ///
-/// Files are written in LPS, as Slicer writes them; either frame is read. Positions here are RAS [mm].
+/// Files are written in LPS, as Slicer writes them; either frame is read. Positions here are RAS
+/// [mm].
 namespace f2b
 {
 

@@ -35,15 +35,17 @@ std::string text(const json& object, const char* key)
 Yeoh law_from(const json& tissue, const std::string& source, const std::string& where)
 {
   if (text(tissue, "law") != "yeoh")
-    throw Error(source, where + "/law is '" + text(tissue, "law") + "', not 'yeoh'", "give the tissue a Yeoh law");
+    throw Error(source, where + "/law is '" + text(tissue, "law") + "', not 'yeoh'",
+                "give the tissue a Yeoh law");
   Yeoh law;
   law.c1 = number(tissue, source, where + "/c1");
   law.c2 = number(tissue, source, where + "/c2");
   law.c3 = number(tissue, source, where + "/c3");
   const double nu = number(tissue, source, where + "/poisson_ratio");
   if (!(law.c1 > 0) || law.c2 < 0 || law.c3 < 0)
-    throw Error(source, where + " has c1 = " + std::to_string(law.c1) + ", c2 = " +
-                            std::to_string(law.c2) + ", c3 = " + std::to_string(law.c3),
+    throw Error(source,
+                where + " has c1 = " + std::to_string(law.c1) + ", c2 = " + std::to_string(law.c2) +
+                    ", c3 = " + std::to_string(law.c3),
                 "a stable law needs c1 > 0, c2 >= 0 and c3 >= 0");
   if (!(nu > -1) || !(nu <= 0.4999))
     throw Error(source, where + "/poisson_ratio is " + std::to_string(nu),
@@ -55,7 +57,8 @@ Yeoh law_from(const json& tissue, const std::string& source, const std::string& 
 json document_of(const std::string& path)
 {
   if (!std::filesystem::is_regular_file(path))
-    throw Error(path, "there is no such material file", "use table1-stable or give a file of its form");
+    throw Error(path, "there is no such material file",
+                "use table1-stable or give a file of its form");
   return read_json(path);
 }
 
@@ -69,7 +72,8 @@ MaterialSet read_materials(const std::string& name_or_path)
   for (const auto& [key, needed] : {std::pair{"units", "MPa"}, {"volumetric_law", "barrier"}})
     if (text(document, key) != needed)
       throw Error(source, std::string(key) + " is not '" + needed + "'",
-                  std::string("state it, and give the values so: \"") + key + "\": \"" + needed + "\"");
+                  std::string("state it, and give the values so: \"") + key + "\": \"" + needed +
+                      "\"");
   MaterialSet set;
   set.name = document.contains("name") ? text(document, "name") : name_or_path;
   const json tissues = document.value("tissues", json());

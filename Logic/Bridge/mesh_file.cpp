@@ -1,8 +1,8 @@
 #include "Bridge/mesh_file.hpp"
 
+#include "Bridge/vtk_messages.hpp"
 #include "Core/error.hpp"
 
-#include <vtkCallbackCommand.h>
 #include <vtkCellData.h>
 #include <vtkCellType.h>
 #include <vtkDoubleArray.h>
@@ -21,7 +21,10 @@ namespace f2b
 namespace
 {
 
-Vec3 flipped(const Vec3& p) { return {-p.x(), -p.y(), p.z()}; }
+Vec3 flipped(const Vec3& p)
+{
+  return {-p.x(), -p.y(), p.z()};
+}
 
 template <std::size_t N>
 void insert_cell(vtkUnstructuredGrid* grid, int type, const std::array<int, N>& nodes)
@@ -94,21 +97,19 @@ void write_mesh(const std::filesystem::path& path, const MixedMesh& mesh,
       array->InsertNextTuple(flipped(v).data());
     grid->GetPointData()->AddArray(array);
   }
+  const VtkMessages messages;
   vtkNew<vtkXMLUnstructuredGridWriter> writer;
   writer->SetFileName(path.c_str());
   writer->SetInputData(grid);
-  if (!writer->Write() || writer->GetErrorCode() != 0)
-    throw Error(path.string(), "it cannot be written", "check the folder's permissions and free space");
+  if (!writer->Write() || writer->GetErrorCode() != 0 || messages.error())
+    throw Error(path.string(), "it cannot be written",
+                "check the folder's permissions and free space");
 }
 
 MixedMesh read_mesh(const std::filesystem::path& path)
 {
-  bool failed = false;
-  vtkNew<vtkCallbackCommand> listen;
-  listen->SetClientData(&failed);
-  listen->SetCallback([](vtkObject*, unsigned long, void* flag, void*) { *static_cast<bool*>(flag) = true; });
+  const VtkMessages messages;
   vtkNew<vtkXMLUnstructuredGridReader> reader;
-  reader->AddObserver(vtkCommand::ErrorEvent, listen);
   reader->SetFileName(path.c_str());
   reader->Update();
   vtkUnstructuredGrid* grid = reader->GetOutput();
@@ -116,7 +117,7 @@ MixedMesh read_mesh(const std::filesystem::path& path)
   vtkDataArray* boundary = grid->GetPointData()->GetArray("boundary");
   vtkDataArray* fragment = grid->GetPointData()->GetArray("fragment");
   auto* names = vtkStringArray::SafeDownCast(grid->GetFieldData()->GetAbstractArray("fragments"));
-  if (failed || !tissue || !boundary || !fragment)
+  if (messages.error() || !tissue || !boundary || !fragment)
     refuse(path);
 
   MixedMesh mesh;

@@ -6,9 +6,9 @@
 
 /// How is the mixed mesh kept? `.vtu`, LPS in the file as in Slicer.
 ///
-/// Cells: prisms as VTK_WEDGE with the face first, then tetrahedra as VTK_TETRA. Cell array `tissue`
-/// (0 skin, 1 fat, 2 muscle); point arrays `boundary` (values of Boundary) and `fragment` (-1: none);
-/// field data `fragments`: their names.
+/// Cells: prisms as VTK_WEDGE with the face first, then tetrahedra as VTK_TETRA. Cell array
+/// `tissue` (0 skin, 1 fat, 2 muscle); point arrays `boundary` (values of Boundary) and `fragment`
+/// (-1: none); field data `fragments`: their names.
 namespace f2b
 {
 

@@ -1,14 +1,14 @@
 #include "Bridge/vtk_surface.hpp"
 
+#include "Bridge/obj_file.hpp"
+#include "Bridge/ply_file.hpp"
+#include "Bridge/vtk_messages.hpp"
 #include "Core/error.hpp"
 
 #include <vtkCellArray.h>
-#include <vtkCommand.h>
-#include <vtkCallbackCommand.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkNew.h>
-#include <vtkOBJReader.h>
 #include <vtkPLYReader.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
@@ -32,7 +32,8 @@ TriangleMesh to_triangle_mesh(vtkPolyData* surface)
   vtkCellArray* cells = surface->GetPolys();
   for (cells->InitTraversal(); cells->GetNextCell(corners);)
     if (corners->GetNumberOfIds() == 3)
-      mesh.triangles.push_back({static_cast<int>(corners->GetId(0)), static_cast<int>(corners->GetId(1)),
+      mesh.triangles.push_back({static_cast<int>(corners->GetId(0)),
+                                static_cast<int>(corners->GetId(1)),
                                 static_cast<int>(corners->GetId(2))});
   return mesh;
 }
@@ -79,7 +80,8 @@ std::vector<Vec3> points_of(vtkPolyData* surface)
   return points;
 }
 
-void add_point_array(vtkPolyData* surface, const std::string& name, const std::vector<double>& values)
+void add_point_array(vtkPolyData* surface, const std::string& name,
+                     const std::vector<double>& values)
 {
   vtkNew<vtkDoubleArray> array;
   array->SetName(name.c_str());
@@ -106,8 +108,9 @@ vtkDataArray* array_of(vtkPolyData* surface, const std::string& name, int compon
 {
   vtkDataArray* array = surface->GetPointData()->GetArray(name.c_str());
   if (!array || array->GetNumberOfComponents() != components)
-    throw Error("surface", "it has no point array '" + name + "' of " + std::to_string(components) +
-                               " components",
+    throw Error("surface",
+                "it has no point array '" + name + "' of " + std::to_string(components) +
+                    " components",
                 "make the case's step anew");
   return array;
 }
@@ -155,14 +158,10 @@ struct LoadedSurface
 template <class Reader>
 vtkSmartPointer<vtkPolyData> run(Reader* reader, const std::filesystem::path& path)
 {
-  bool failed = false;
-  vtkNew<vtkCallbackCommand> listen;
-  listen->SetClientData(&failed);
-  listen->SetCallback([](vtkObject*, unsigned long, void* flag, void*) { *static_cast<bool*>(flag) = true; });
-  reader->AddObserver(vtkCommand::ErrorEvent, listen);
+  const VtkMessages messages;
   reader->SetFileName(path.c_str());
   reader->Update();
-  if (failed)
+  if (messages.error())
     throw Error(path.string(), "it cannot be read as a surface",
                 "check that the file is whole and of the kind that its name says");
   return reader->GetOutput();
@@ -171,7 +170,8 @@ vtkSmartPointer<vtkPolyData> run(Reader* reader, const std::filesystem::path& pa
 LoadedSurface load(const std::filesystem::path& path)
 {
   std::string kind = path.extension().string();
-  std::transform(kind.begin(), kind.end(), kind.begin(), [](unsigned char c) { return std::tolower(c); });
+  std::transform(kind.begin(), kind.end(), kind.begin(),
+                 [](unsigned char c) { return std::tolower(c); });
   if (kind == ".vtp")
   {
     vtkNew<vtkXMLPolyDataReader> reader;
@@ -183,6 +183,7 @@ LoadedSurface load(const std::filesystem::path& path)
   }
   if (kind == ".ply")
   {
+    require_whole_ply(path);
     vtkNew<vtkPLYReader> reader;
     LoadedSurface loaded{run(reader.Get(), path), ""};
     for (vtkIdType i = 0; i < reader->GetComments()->GetNumberOfValues(); ++i)
@@ -192,10 +193,8 @@ LoadedSurface load(const std::filesystem::path& path)
   }
   if (kind == ".obj")
   {
-    vtkNew<vtkOBJReader> reader;
-    LoadedSurface loaded{run(reader.Get(), path), ""};
-    loaded.frame = frame_in(reader->GetComment());
-    return loaded;
+    const ObjFile obj = read_obj(path);
+    return {obj.surface, frame_in(obj.comments.c_str())};
   }
   if (kind == ".stl")
   {
@@ -260,7 +259,8 @@ vtkSmartPointer<vtkPolyData> read_surface(const std::filesystem::path& path)
     throw Error(path.string(), "it holds no triangles", "give a triangulated surface");
   for (const Vec3& p : points_of(surface))
     if (!p.allFinite())
-      throw Error(path.string(), "it has a vertex whose coordinates are not finite (NaN or infinite)",
+      throw Error(path.string(),
+                  "it has a vertex whose coordinates are not finite (NaN or infinite)",
                   "repair the mesh in the program that wrote it");
   if (loaded.frame != "RAS")
     surface = flipped(surface);
@@ -275,11 +275,13 @@ void write_surface(const std::filesystem::path& path, vtkPolyData* surface)
   space->SetName(space_key);
   space->InsertNextValue("LPS");
   in_file->GetFieldData()->AddArray(space);
+  const VtkMessages messages;
   vtkNew<vtkXMLPolyDataWriter> writer;
   writer->SetFileName(path.c_str());
   writer->SetInputData(in_file);
-  if (!writer->Write() || writer->GetErrorCode() != 0)
-    throw Error(path.string(), "it cannot be written", "check the folder's permissions and free space");
+  if (!writer->Write() || writer->GetErrorCode() != 0 || messages.error())
+    throw Error(path.string(), "it cannot be written",
+                "check the folder's permissions and free space");
 }
 
 } // namespace f2b

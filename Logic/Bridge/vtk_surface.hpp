@@ -18,13 +18,15 @@ vtkSmartPointer<vtkPolyData> to_polydata(const TriangleMesh& mesh);
 vtkSmartPointer<vtkPolyData> with_points(vtkPolyData* surface, const std::vector<Vec3>& points);
 std::vector<Vec3> points_of(vtkPolyData* surface);
 
-void add_point_array(vtkPolyData* surface, const std::string& name, const std::vector<double>& values);
-void add_point_array(vtkPolyData* surface, const std::string& name, const std::vector<Vec3>& values);
+void add_point_array(vtkPolyData* surface, const std::string& name,
+                     const std::vector<double>& values);
+void add_point_array(vtkPolyData* surface, const std::string& name,
+                     const std::vector<Vec3>& values);
 std::vector<double> point_scalars(vtkPolyData* surface, const std::string& name);
 std::vector<Vec3> point_vectors(vtkPolyData* surface, const std::string& name);
 
-/// Reads .vtp, .ply, .obj, .stl or .vtk. The frame is what the file says (SPACE=RAS or LPS), else LPS.
-/// Vector point arrays are in RAS. Throws Error on unreadable files, files without triangles,
+/// Reads .vtp, .ply, .obj, .stl or .vtk. The frame is what the file says (SPACE=RAS or LPS), else
+/// LPS. Vector point arrays are in RAS. Throws Error on unreadable files, files without triangles,
 /// non-finite points.
 vtkSmartPointer<vtkPolyData> read_surface(const std::filesystem::path& path);
 /// Writes .vtp in LPS and says so in the file; positions and vectors in double precision.

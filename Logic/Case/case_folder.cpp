@@ -54,7 +54,8 @@ void write_text(const Path& path, const std::string& text)
   file << text;
   file.close();
   if (!file)
-    throw Error(path.string(), "it cannot be written", "check the folder's permissions and free space");
+    throw Error(path.string(), "it cannot be written",
+                "check the folder's permissions and free space");
 }
 
 void flush_to_disk(const Path& path)
@@ -146,13 +147,15 @@ int lock_folder(const Path& folder)
   if (handle < 0 || ::access(folder.c_str(), W_OK | X_OK) != 0)
   {
     ::close(handle);
-    throw Error(folder.string(), "the folder is read-only", "choose a folder that you may write to");
+    throw Error(folder.string(), "the folder is read-only",
+                "choose a folder that you may write to");
   }
   // file systems without locks do without
   if (::flock(handle, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
   {
     ::close(handle);
-    throw Error(folder.string(), "another FaceToBone is working on this case", "wait until it has finished");
+    throw Error(folder.string(), "another FaceToBone is working on this case",
+                "wait until it has finished");
   }
   return handle;
 }
@@ -161,6 +164,8 @@ int lock_folder(const Path& folder)
 
 CaseFolder::MadeFolders::MadeFolders(const Path& folder)
 {
+  if (folder.empty())
+    return;
   std::error_code ignored;
   Path path = fs::absolute(folder).lexically_normal();
   if (!path.has_filename()) // "out/" is "out"
@@ -188,12 +193,16 @@ CaseFolder::CaseFolder(const Path& folder) : m_made(folder)
   catch (const std::exception&)
   {
     ::close(m_lock);
-    throw Error((m_folder / staging_name).string(), "what a stopped run left there cannot be tidied up",
+    throw Error((m_folder / staging_name).string(),
+                "what a stopped run left there cannot be tidied up",
                 "check permissions and free space, or remove it");
   }
 }
 
-CaseFolder::~CaseFolder() { ::close(m_lock); }
+CaseFolder::~CaseFolder()
+{
+  ::close(m_lock);
+}
 
 Path CaseFolder::require(const std::string& name, const std::string& step) const
 {
@@ -205,23 +214,25 @@ Path CaseFolder::require(const std::string& name, const std::string& step) const
   return file(name);
 }
 
-void CaseFolder::require_replaceable(const std::vector<std::string>& names, const std::string& step) const
+void CaseFolder::require_replaceable(const std::vector<std::string>& names,
+                                     const std::string& step) const
 {
   const Ledger ledger = read_ledger(m_folder);
   for (const std::string& name : names)
   {
     const Path parent = file(name).parent_path();
-    const Path in_the_way =
-        fs::exists(parent) && !fs::is_directory(parent) ? parent
-        : has(name) && !may_replace(ledger, name, step) ? file(name)
-                                                        : Path();
+    const Path in_the_way = fs::exists(parent) && !fs::is_directory(parent) ? parent
+                            : has(name) && !may_replace(ledger, name, step) ? file(name)
+                                                                            : Path();
     if (!in_the_way.empty())
-      throw Error(in_the_way.string(), "it is in the way of a result, and no earlier '" + step + "' made it",
+      throw Error(in_the_way.string(),
+                  "it is in the way of a result, and no earlier '" + step + "' made it",
                   "move it away, or write to another folder");
   }
 }
 
-std::vector<std::string> CaseFolder::matching(const std::string& begin, const std::string& end) const
+std::vector<std::string> CaseFolder::matching(const std::string& begin,
+                                              const std::string& end) const
 {
   std::vector<std::string> names;
   for (const auto& entry : fs::directory_iterator(m_folder))
@@ -237,12 +248,29 @@ std::vector<std::string> CaseFolder::matching(const std::string& begin, const st
 
 const std::vector<std::string>& case_file_names()
 {
-  static const std::vector<std::string> names = {
-      case_settings_name, "segment.json", "ct.nrrd", "labels.nrrd", "skin_distance.nrrd",
-      "bone_distance.nrrd", "closed_bone_distance.nrrd", "skin.vtp", "bone.vtp", "landmarks.mrk.json",
-      "cut.json", "cuts.mrk.json", "bone_parts.nrrd", "uncut_bone.vtp", "mesh.json", "mesh.vtu",
-      "target.json", "target.vtp", "plan.json", "predict.json", "predicted.vtp", "predicted.vtu",
-      "report.html"};
+  static const std::vector<std::string> names = {case_settings_name,
+                                                 "segment.json",
+                                                 "ct.nrrd",
+                                                 "labels.nrrd",
+                                                 "skin_distance.nrrd",
+                                                 "bone_distance.nrrd",
+                                                 "closed_bone_distance.nrrd",
+                                                 "skin.vtp",
+                                                 "bone.vtp",
+                                                 "landmarks.mrk.json",
+                                                 "cut.json",
+                                                 "cuts.mrk.json",
+                                                 "bone_parts.nrrd",
+                                                 "uncut_bone.vtp",
+                                                 "mesh.json",
+                                                 "mesh.vtu",
+                                                 "target.json",
+                                                 "target.vtp",
+                                                 "plan.json",
+                                                 "predict.json",
+                                                 "predicted.vtp",
+                                                 "predicted.vtu",
+                                                 "report.html"};
   return names;
 }
 

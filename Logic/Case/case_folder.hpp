@@ -14,13 +14,13 @@ using Path = std::filesystem::path;
 ///
 /// | step    | files                                                                            |
 /// |---------|----------------------------------------------------------------------------------|
-/// | segment | case.json segment.json ct.nrrd labels.nrrd {skin,bone,closed_bone}_distance.nrrd skin.vtp bone.vtp landmarks.mrk.json |
-/// | cut     | cut.json cuts.mrk.json bone_parts.nrrd uncut_bone.vtp fragment_NAME.vtp          |
-/// | mesh    | mesh.json mesh.vtu                                                               |
-/// | target  | target.json target.vtp                                                           |
-/// | plan    | plan.json plan_METHOD.vtu predicted_METHOD.vtp NAME_METHOD.{tfm,h5,vtp}          |
-/// | predict | predict.json predicted.vtp predicted.vtu NAME_moved.vtp                          |
-/// | report  | report.html pictures/                                                            |
+/// | segment | case.json segment.json ct.nrrd labels.nrrd {skin,bone,closed_bone}_distance.nrrd
+/// skin.vtp bone.vtp landmarks.mrk.json | | cut     | cut.json cuts.mrk.json bone_parts.nrrd
+/// uncut_bone.vtp fragment_NAME.vtp          | | mesh    | mesh.json mesh.vtu | | target  |
+/// target.json target.vtp                                                           | | plan    |
+/// plan.json plan_METHOD.vtu predicted_METHOD.vtp NAME_METHOD.{tfm,h5,vtp}          | | predict |
+/// predict.json predicted.vtp predicted.vtu NAME_moved.vtp                          | | report  |
+/// report.html pictures/                                                            |
 ///
 /// One process works on a case at a time: the folder is locked while it is open.
 class CaseFolder
@@ -36,10 +36,11 @@ public:
   const Path& path() const { return m_folder; }
   Path file(const std::string& name) const { return m_folder / name; }
   bool has(const std::string& name) const { return std::filesystem::exists(file(name)); }
-  /// The path of a file that an earlier step made; throws Error naming that step where it is absent.
+  /// The path of a file that an earlier step made; throws Error naming that step where it is
+  /// absent.
   Path require(const std::string& name, const std::string& step) const;
-  /// Throws Error if a file lies where a step's result is to go and the step may not replace it: the
-  /// user's own, or that of a sample.
+  /// Throws Error if a file lies where a step's result is to go and the step may not replace it:
+  /// the user's own, or that of a sample.
   void require_replaceable(const std::vector<std::string>& names, const std::string& step) const;
   /// Names of files, in order, that begin and end so.
   std::vector<std::string> matching(const std::string& begin, const std::string& end) const;
@@ -76,9 +77,10 @@ public:
   /// Where to write the file that is to become `name`.
   Path file(const std::string& name) const;
   Path folder() const { return m_staging; }
-  /// Puts the new files in place (Error if one of the user's own is in the way) and removes what an earlier run of this step made, and the results
-  /// of later steps that rest on it: stale results are never shown as current.
-  /// \param step  a step of the table above; a change that holds a whole case is a new `segment`
+  /// Puts the new files in place (Error if one of the user's own is in the way) and removes what an
+  /// earlier run of this step made, and the results of later steps that rest on it: stale results
+  /// are never shown as current. \param step  a step of the table above; a change that holds a
+  /// whole case is a new `segment`
   void commit(const std::string& step);
 
 private:

@@ -6,11 +6,10 @@
 #include "Bridge/skin_mapping.hpp"
 #include "Core/error.hpp"
 #include "Core/inverse/skin_error.hpp"
+#include "Core/solve/threads.hpp"
 
 #include <algorithm>
 #include <cstdio>
-
-#include <omp.h>
 
 namespace f2b
 {
@@ -45,7 +44,7 @@ void CaseSession::change_settings(const json& case_document, const Path& source)
   document = with_absolute_paths(case_document, source);
   document["name"] = settings.name; // kept, as the file's own name is not
   if (settings.threads > 0)
-    omp_set_num_threads(settings.threads);
+    set_thread_count(settings.threads);
 }
 
 void require_inputs_elsewhere(const CaseSettings& settings, const Path& folder)
@@ -64,7 +63,10 @@ void require_inputs_elsewhere(const CaseSettings& settings, const Path& folder)
   }
 }
 
-json to_json(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
+json to_json(const Vec3& v)
+{
+  return {v.x(), v.y(), v.z()};
+}
 
 Vec3 vec3_from(const json& value)
 {
@@ -112,15 +114,45 @@ std::vector<RigidMotion> stated_motions(const Movements& movements, const Loaded
   return motions;
 }
 
+void write_moved_fragment(const CaseFolder& folder, const std::string& fragment,
+                          const RigidMotion& motion, const Path& file)
+{
+  const auto rest = read_surface(folder.require("fragment_" + file_part(fragment) + ".vtp", "cut"));
+  std::vector<Vec3> moved = points_of(rest);
+  for (Vec3& p : moved)
+    p = motion.apply(p);
+  write_surface(file, with_points(rest, moved));
+}
+
+vtkSmartPointer<vtkPolyData> displaced_skin(const LoadedFace& face,
+                                            const std::vector<Vec3>& displacement)
+{
+  std::vector<Vec3> points = face.reference_skin.points;
+  for (std::size_t v = 0; v < points.size(); ++v)
+    points[v] += displacement[v];
+  auto surface = with_points(face.skin, points);
+  add_point_array(surface, "displacement", displacement);
+  return surface;
+}
+
+std::vector<Vec3> node_displacements(const MixedMesh& mesh, const std::vector<Vec3>& x)
+{
+  std::vector<Vec3> u = x;
+  for (std::size_t n = 0; n < u.size(); ++n)
+    u[n] -= mesh.X[n];
+  return u;
+}
+
 void require_converged(const EquilibriumSummary& summary, const std::string& what)
 {
   if (summary.converged())
     return;
   char share[32];
   std::snprintf(share, sizeof share, "%.0f", 100 * summary.load_reached);
-  throw Error(what, "the tissue could follow only " + std::string(share) + " % of the movement",
-              "state a smaller movement, or release more tissue along the cuts (mesh.release_margin_mm)",
-              ErrorKind::Numerical);
+  throw Error(
+      what, "the tissue could follow only " + std::string(share) + " % of the movement",
+      "state a smaller movement, or release more tissue along the cuts (mesh.release_margin_mm)",
+      ErrorKind::Numerical);
 }
 
 } // namespace f2b

@@ -71,6 +71,14 @@ EquilibriumOptions equilibrium_options(const CaseSettings& settings);
 /// Throws Error for a name that is no fragment.
 std::vector<RigidMotion> stated_motions(const Movements& movements, const LoadedFace& face,
                                         const std::string& source);
+/// Writes a fragment's surface where a movement takes it.
+void write_moved_fragment(const CaseFolder& folder, const std::string& fragment,
+                          const RigidMotion& motion, const Path& file);
+/// The reference skin moved by a displacement per vertex, with an array `displacement`.
+vtkSmartPointer<vtkPolyData> displaced_skin(const LoadedFace& face,
+                                            const std::vector<Vec3>& displacement);
+/// Displacements of the mesh nodes at positions x [mm].
+std::vector<Vec3> node_displacements(const MixedMesh& mesh, const std::vector<Vec3>& x);
 /// Throws Error (Numerical) with one sentence if a solve did not converge.
 void require_converged(const EquilibriumSummary& summary, const std::string& what);
 

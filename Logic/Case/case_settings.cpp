@@ -30,7 +30,8 @@ std::string with_environment(std::string text, const Path& source)
   for (auto begin = text.find("${"); begin != std::string::npos; begin = text.find("${", begin))
   {
     const auto end = text.find('}', begin);
-    const std::string name = text.substr(begin + 2, end == std::string::npos ? end : end - begin - 2);
+    const std::string name =
+        text.substr(begin + 2, end == std::string::npos ? end : end - begin - 2);
     const char* value = std::getenv(name.c_str());
     if (end == std::string::npos || !value)
       throw Error(source.string(), "the path '" + text + "' uses " + name + ", which is not set",
@@ -113,11 +114,12 @@ OsteotomySettings osteotomy_from(const json& value, std::size_t index, const Pat
   if (value.contains("fragment_point_ras"))
     o.fragment_point = point_from(value["fragment_point_ras"]);
   if (o.template_name.empty() == o.planes.empty())
-    throw Error(source.string(), where + " has " + (o.planes.empty() ? "neither" : "both") +
-                                     " template and planes",
+    throw Error(source.string(),
+                where + " has " + (o.planes.empty() ? "neither" : "both") + " template and planes",
                 "give exactly one of them");
   if (!o.planes.empty() && (!o.fragment_point || o.fragment.empty()))
-    throw Error(source.string(), where + " has planes but no fragment_point_ras or no fragment name",
+    throw Error(source.string(),
+                where + " has planes but no fragment_point_ras or no fragment name",
                 "name the fragment and give a point on the bone that is to be free");
   require_known_template(o.template_name, where, source);
   return o;
@@ -138,7 +140,8 @@ TargetSettings target_from(const json& value, const Path& source)
   take(value, "mask_mm", target.mask_mm);
   const int kinds = !target.mesh.empty() + !target.warp_from.empty() + !target.movements.empty();
   if (kinds != 1)
-    throw Error(source.string(), "'/target' has " + std::to_string(kinds) + " of mesh, warp and from_movement",
+    throw Error(source.string(),
+                "'/target' has " + std::to_string(kinds) + " of mesh, warp and from_movement",
                 "give exactly one of them");
   return target;
 }
@@ -174,7 +177,9 @@ void check_together(const CaseSettings& s, const Path& source)
     if (!o.fragment.empty())
       named.push_back(o.fragment);
     if (!o.template_name.empty() && s.landmarks.empty())
-      throw Error(source.string(), "the template '" + o.template_name + "' needs landmarks, and '/landmarks' is absent",
+      throw Error(source.string(),
+                  "the template '" + o.template_name +
+                      "' needs landmarks, and '/landmarks' is absent",
                   "give a file of Slicer fiducials");
   }
   require_distinct_fragments(named, source.string());
@@ -203,7 +208,8 @@ CaseSettings parse_settings(const json& document, const Path& source)
   take_path(document, "ct", source, s.ct);
   take_path(document, "landmarks", source, s.landmarks);
   if (document.contains("region_ras"))
-    s.region_ras = Box{point_from(document["region_ras"]["min"]), point_from(document["region_ras"]["max"])};
+    s.region_ras =
+        Box{point_from(document["region_ras"]["min"]), point_from(document["region_ras"]["max"])};
   take(document, "skin_thickness_mm", s.skin_thickness_mm);
   read_groups(document, s);
   for (std::size_t i = 0; i < document["osteotomies"].size(); ++i)
@@ -248,7 +254,8 @@ void require_known_fragments(const Movements& movements, const std::vector<std::
 
 json with_absolute_paths(json document, const Path& source)
 {
-  auto make_absolute = [&](json& text) { text = resolved(text.get<std::string>(), source).lexically_normal().string(); };
+  auto make_absolute = [&](json& text)
+  { text = resolved(text.get<std::string>(), source).lexically_normal().string(); };
   for (const char* key : {"ct", "landmarks"})
     if (document.contains(key))
       make_absolute(document[key]);

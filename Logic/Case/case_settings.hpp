@@ -30,7 +30,7 @@ using Movements = std::map<std::string, StatedMovement>;
 struct OsteotomySettings
 {
   std::string fragment;
-  std::string template_name;       ///< or planes
+  std::string template_name; ///< or planes
   std::vector<Path> planes;
   std::optional<Vec3> fragment_point;
   double kerf_mm = 1.0;
@@ -38,7 +38,7 @@ struct OsteotomySettings
 
 struct TargetSettings
 {
-  Path mesh;                     ///< exactly one of mesh, warp_from/warp_to, movements is given
+  Path mesh; ///< exactly one of mesh, warp_from/warp_to, movements is given
   Path warp_from, warp_to;
   double warp_radius_mm = 45;
   Movements movements;
@@ -58,7 +58,7 @@ struct CaseSettings
   std::string materials = "table1-stable";
   double mesh_density = 1, release_margin_mm = 5, contact_tolerance_mm = 2;
   int threads = 0;
-  int max_newton_iterations = 40, max_fit_iterations = 40;
+  int max_newton_iterations = 25, max_fit_iterations = 40;
   double step_tolerance_mm = 1e-8, virtual_force_stiffness = 0.02;
   Movements predict;
 };

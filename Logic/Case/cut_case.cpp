@@ -16,7 +16,8 @@ Osteotomy osteotomy_from(const OsteotomySettings& o, const Landmarks& landmarks)
 {
   if (!o.template_name.empty())
   {
-    Osteotomy osteotomy = osteotomy_from_template(o.template_name, o.fragment, landmarks, o.kerf_mm);
+    Osteotomy osteotomy =
+        osteotomy_from_template(o.template_name, o.fragment, landmarks, o.kerf_mm);
     if (o.fragment_point)
       osteotomy.fragment_point = *o.fragment_point;
     return osteotomy;
@@ -35,7 +36,8 @@ vtkSmartPointer<vtkPolyData> part_surface(const ScalarGrid& bone, const BonePart
                                           unsigned char label)
 {
   SurfaceOptions options;
-  options.smoothing_iterations = 0; // cut faces stay flat, and fragments fit to the bone that they came from
+  options.smoothing_iterations =
+      0; // cut faces stay flat, and fragments fit to the bone that they came from
   return watertight_isosurface(part_field(bone, partition, label), 0, options);
 }
 
@@ -46,7 +48,8 @@ void cut_case(CaseSession& session)
   const Stopwatch watch;
   const CaseFolder& folder = session.folder;
   const ScalarGrid bone = read_scalar_grid(folder.require("bone_distance.nrrd", "segment"));
-  const ScalarGrid closed = read_scalar_grid(folder.require("closed_bone_distance.nrrd", "segment"));
+  const ScalarGrid closed =
+      read_scalar_grid(folder.require("closed_bone_distance.nrrd", "segment"));
   const Landmarks landmarks = folder.has("landmarks.mrk.json")
                                   ? read_landmarks(folder.file("landmarks.mrk.json"))
                                   : Landmarks{};
@@ -62,7 +65,8 @@ void cut_case(CaseSession& session)
   json fragments = json::array();
   for (std::size_t f = 0; f < osteotomies.size(); ++f)
   {
-    session.progress("cutting the bone", 0.3 + 0.5 * static_cast<double>(f) / static_cast<double>(osteotomies.size()));
+    session.progress("cutting the bone",
+                     0.3 + 0.5 * static_cast<double>(f) / static_cast<double>(osteotomies.size()));
     const auto label = static_cast<unsigned char>(BonePartition::first_fragment + f);
     const auto surface = part_surface(bone, partition, label);
     const SurfaceCheck check = check_surface(surface);

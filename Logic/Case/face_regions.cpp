@@ -8,7 +8,8 @@ namespace f2b
 
 FaceRegions face_regions(const CaseFolder& folder, const std::vector<Vec3>& reference_skin)
 {
-  const ScalarGrid closed = read_scalar_grid(folder.require("closed_bone_distance.nrrd", "segment"));
+  const ScalarGrid closed =
+      read_scalar_grid(folder.require("closed_bone_distance.nrrd", "segment"));
   const LabelGrid parts = read_label_grid(folder.require("bone_parts.nrrd", "cut"));
   FaceRegions regions;
   for (const Vec3& vertex : reference_skin)

@@ -68,7 +68,11 @@ json report_json(const ShellMeshReport& r, const ContactReport& contact)
           {"skin_to_ct_mm", fidelity_json(r.fidelity.mesh_to_ct)},
           {"ct_to_skin_mm", fidelity_json(r.fidelity.ct_to_mesh)},
           {"holes", r.holes},
-          {"contact_nodes", {{"fixed", contact.fixed}, {"fragments", contact.fragments}, {"released", contact.released}}},
+          {"contact_nodes",
+           {{"fixed", contact.fixed},
+            {"fragments", contact.fragments},
+            {"released", contact.released},
+            {"released_between", contact.released_between}}},
           {"remarks", remarks}};
 }
 
@@ -76,10 +80,11 @@ json report_json(const ShellMeshReport& r, const ContactReport& contact)
 void require_usable(const ShellMeshReport& r)
 {
   if (r.quality.inverted_elements > 0 || r.quality.unmatched_inner_faces > 0)
-    throw Error("mesh", std::to_string(r.quality.inverted_elements) + " elements are inverted and " +
-                            std::to_string(r.quality.unmatched_inner_faces) +
-                            " prisms stand on no tetrahedron",
-                "try another mesh.density, a smaller skin_thickness_mm, or look at the skin in " 
+    throw Error("mesh",
+                std::to_string(r.quality.inverted_elements) + " elements are inverted and " +
+                    std::to_string(r.quality.unmatched_inner_faces) +
+                    " prisms stand on no tetrahedron",
+                "try another mesh.density, a smaller skin_thickness_mm, or look at the skin in "
                 "skin.vtp for sharp clefts",
                 ErrorKind::Numerical);
 }
@@ -92,11 +97,13 @@ void mesh_case(CaseSession& session)
   const CaseFolder& folder = session.folder;
   const ScalarGrid skin = read_scalar_grid(folder.require("skin_distance.nrrd", "segment"));
   const ScalarGrid bone = read_scalar_grid(folder.require("bone_distance.nrrd", "segment"));
-  const ScalarGrid closed = read_scalar_grid(folder.require("closed_bone_distance.nrrd", "segment"));
+  const ScalarGrid closed =
+      read_scalar_grid(folder.require("closed_bone_distance.nrrd", "segment"));
   const ScalarGrid hu = read_scalar_grid(folder.require("ct.nrrd", "segment"));
   const std::vector<Osteotomy> osteotomies = placed_osteotomies(folder);
 
-  ShellMesh shell = build_shell_mesh({skin, closed, bone, hu}, mesh_options(session), session.progress);
+  ShellMesh shell =
+      build_shell_mesh({skin, closed, bone, hu}, mesh_options(session), session.progress);
   require_usable(shell.report);
   session.progress("finding what the tissue hangs on", 0.95);
   const BonePartition partition = cut_bone(bone, closed, osteotomies);

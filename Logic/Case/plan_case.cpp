@@ -34,9 +34,17 @@ double peak_memory_mb()
 
 json error_json(const SkinError& e)
 {
-  return {{"mean", e.mean},           {"sd", e.sd},   {"variance", e.variance}, {"median", e.median},
-          {"p90", e.p90},             {"p95", e.p95}, {"max", e.max},           {"under_1mm", e.under_1mm},
-          {"under_2mm", e.under_2mm}, {"signed_mean", e.signed_mean}, {"area_mm2", e.area_mm2}};
+  return {{"mean", e.mean},
+          {"sd", e.sd},
+          {"variance", e.variance},
+          {"median", e.median},
+          {"p90", e.p90},
+          {"p95", e.p95},
+          {"max", e.max},
+          {"under_1mm", e.under_1mm},
+          {"under_2mm", e.under_2mm},
+          {"signed_mean", e.signed_mean},
+          {"area_mm2", e.area_mm2}};
 }
 
 json motion_json(const std::string& name, const RigidMotion& motion)
@@ -53,7 +61,9 @@ json motion_json(const std::string& name, const RigidMotion& motion)
           {"reference_point_ras", to_json(motion.reference_point)},
           {"translation_mm", {{"right", t.x()}, {"anterior", t.y()}, {"superior", t.z()}}},
           {"rotation_deg",
-           {{"pitch", angles.pitch / degree}, {"roll", angles.roll / degree}, {"yaw", angles.yaw / degree}}}};
+           {{"pitch", angles.pitch / degree},
+            {"roll", angles.roll / degree},
+            {"yaw", angles.yaw / degree}}}};
 }
 
 json summary_json(const EquilibriumSummary& s)
@@ -76,7 +86,8 @@ public:
     m_target.displacement = point_vectors(surface, "displacement");
     m_target.weight = point_scalars(surface, "weight");
     if (m_target.weight.size() != m_face.skin_area.size())
-      throw Error("target.vtp", "it does not belong to this reference skin", "run 'facetobone target' again");
+      throw Error("target.vtp", "it does not belong to this reference skin",
+                  "run 'facetobone target' again");
     const TriangleMesh target = to_triangle_mesh(surface);
     m_target_points = target.points;
     m_target_normals = vertex_normals(target);
@@ -155,7 +166,8 @@ void Planning::warn_of_overlap(const std::string& method, const std::string& fra
     return;
   char text[200];
   std::snprintf(text, sizeof text,
-                "%s: '%s' runs into bone that stays, %.1f mm deep and %.0f mm3 in all, deepest at R %.0f, A %.0f, S %.0f",
+                "%s: '%s' runs into bone that stays, %.1f mm deep and %.0f mm3 in all, deepest at "
+                "R %.0f, A %.0f, S %.0f",
                 method.c_str(), fragment.c_str(), overlap.depth_mm, overlap.volume_mm3,
                 overlap.deepest.x(), overlap.deepest.y(), overlap.deepest.z());
   m_warnings.push_back(text);
@@ -186,34 +198,23 @@ json Planning::stretch(const std::vector<Vec3>& x) const
 void Planning::write(const std::string& method, const std::vector<RigidMotion>& motions,
                      const std::vector<Vec3>& x, const std::vector<Vec3>& skin_displacement)
 {
-  std::vector<Vec3> points = m_face.reference_skin.points;
-  for (std::size_t v = 0; v < points.size(); ++v)
-    points[v] += skin_displacement[v];
-  const auto predicted = with_points(m_face.skin, points);
+  const auto predicted = displaced_skin(m_face, skin_displacement);
   // where the face was not meshed nothing is known
   std::vector<double> distance = distances(skin_displacement);
   for (std::size_t v = 0; v < distance.size(); ++v)
     if (m_face.skin_area[v] <= 0)
       distance[v] = std::nan("");
   add_point_array(predicted, "signed_distance_mm", distance);
-  add_point_array(predicted, "displacement", skin_displacement);
   write_surface(m_change.file("predicted_" + method + ".vtp"), predicted);
-
-  std::vector<Vec3> u = x;
-  for (std::size_t n = 0; n < u.size(); ++n)
-    u[n] -= m_face.mesh.X[n];
-  write_mesh(m_change.file("plan_" + method + ".vtu"), m_face.mesh, {{"displacement", u}});
-
+  write_mesh(m_change.file("plan_" + method + ".vtu"), m_face.mesh,
+             {{"displacement", node_displacements(m_face.mesh, x)}});
   for (std::size_t f = 0; f < motions.size(); ++f)
   {
-    const std::string name = file_part(m_face.mesh.fragments[f]);
+    const std::string& fragment = m_face.mesh.fragments[f];
+    const std::string name = file_part(fragment) + "_" + method;
     for (const char* kind : {".tfm", ".h5"})
-      write_transform(m_change.file(name + "_" + method + kind), motions[f].matrix());
-    const auto rest = read_surface(m_session.folder.require("fragment_" + name + ".vtp", "cut"));
-    std::vector<Vec3> moved = points_of(rest);
-    for (Vec3& p : moved)
-      p = motions[f].apply(p);
-    write_surface(m_change.file(name + "_" + method + ".vtp"), with_points(rest, moved));
+      write_transform(m_change.file(name + kind), motions[f].matrix());
+    write_moved_fragment(m_session.folder, fragment, motions[f], m_change.file(name + ".vtp"));
   }
 }
 
@@ -241,15 +242,18 @@ void Planning::rigid_fit()
   options.equilibrium = equilibrium_options(m_session.settings);
   const RigidFitResult fit = fit_fragments(m_face.model(), m_target, options, m_session.progress);
   if (fit.termination == RigidFitTermination::EquilibriumLost)
-    throw Error("rigid-fit", "the tissue cannot follow even a small movement towards this target",
-                "check the target for skin that crosses bone, or release more tissue along the cuts",
-                ErrorKind::Numerical);
+    throw Error(
+        "rigid-fit", "the tissue cannot follow even a small movement towards this target",
+        "check the target for skin that crosses bone, or release more tissue along the cuts",
+        ErrorKind::Numerical);
   if (fit.termination != RigidFitTermination::Converged)
     m_warnings.push_back(std::string("rigid-fit stopped early (") + text_of(fit.termination) +
                          "): the movement is the best that was found");
   json iterations = json::array();
   for (const RigidFitIteration& i : fit.iterations)
-    iterations.push_back({{"objective", i.objective}, {"translation_mm", i.translation_mm}, {"rotation_rad", i.rotation_rad}});
+    iterations.push_back({{"objective", i.objective},
+                          {"translation_mm", i.translation_mm},
+                          {"rotation_rad", i.rotation_rad}});
   m_methods["rigid-fit"] = {{"fragments", fragments("rigid-fit", fit.motions)},
                             {"skin_error_mm", errors(fit.skin_displacement)},
                             {"tissue_stretch", stretch(fit.x)},
@@ -266,7 +270,8 @@ void Planning::virtual_force()
   VirtualForceOptions options;
   options.stiffness_n_per_mm3 = m_session.settings.virtual_force_stiffness;
   options.equilibrium = equilibrium_options(m_session.settings);
-  const VirtualForceResult dragged = drag_skin(m_face.model(), m_target, options, m_session.progress);
+  const VirtualForceResult dragged =
+      drag_skin(m_face.model(), m_target, options, m_session.progress);
   if (dragged.equilibrium.load_reached < 1)
     m_warnings.push_back("virtual-force: the skin could be pulled only " +
                          std::to_string(std::lround(100 * dragged.equilibrium.load_reached)) +
@@ -298,7 +303,8 @@ void Planning::finish(double seconds)
                {"methods", m_methods},
                {"warnings", m_warnings},
                {"disclaimer", "research software, not a medical device"}};
-  for (const char* key : {"prisms", "tets", "nodes", "dofs", "min_dihedral_deg", "min_prism_scaled_jacobian"})
+  for (const char* key :
+       {"prisms", "tets", "nodes", "dofs", "min_dihedral_deg", "min_prism_scaled_jacobian"})
     plan["mesh"][key] = mesh.at(key);
   json& timing = plan["timing_s"];
   timing = m_seconds;

@@ -19,7 +19,8 @@ RigidMotion motion_from(const json& fragment)
                         t.at("superior").get<double>()};
   for (int r = 0; r < 3; ++r)
     for (int c = 0; c < 3; ++c)
-      motion.rotation(r, c) = fragment.at("matrix_ras").at(static_cast<std::size_t>(4 * r + c)).get<double>();
+      motion.rotation(r, c) =
+          fragment.at("matrix_ras").at(static_cast<std::size_t>(4 * r + c)).get<double>();
   return motion;
 }
 
@@ -29,11 +30,12 @@ std::vector<RigidMotion> motions_to_predict(const CaseSession& session, const Lo
   if (!session.settings.predict.empty())
     return stated_motions(session.settings.predict, face, "'/predict'");
   if (!session.folder.has("plan.json"))
-    throw Error(session.folder.path().string(), "it states no movement to predict and has no plan.json",
+    throw Error(session.folder.path().string(),
+                "it states no movement to predict and has no plan.json",
                 "give --movement, or run 'facetobone plan' first");
   std::vector<RigidMotion> motions;
-  for (const json& fragment :
-       read_json(session.folder.file("plan.json")).at("methods").at("rigid-fit").at("fragments"))
+  const json plan = read_json(session.folder.file("plan.json"));
+  for (const json& fragment : plan.at("methods").at("rigid-fit").at("fragments"))
     motions.push_back(motion_from(fragment));
   return motions;
 }
@@ -45,30 +47,20 @@ void predict_case(CaseSession& session)
   const Stopwatch watch;
   const LoadedFace face = load_face(session);
   const std::vector<RigidMotion> motions = motions_to_predict(session, face);
-  const Prediction prediction = predict_face(face.model(), motions, equilibrium_options(session.settings),
-                                             session.progress);
+  const Prediction prediction =
+      predict_face(face.model(), motions, equilibrium_options(session.settings), session.progress);
   require_converged(prediction.summary, "prediction");
 
   CaseChange change(session.folder);
   write_json(change.file(case_settings_name), session.document);
-  std::vector<Vec3> points = face.reference_skin.points;
-  for (std::size_t v = 0; v < points.size(); ++v)
-    points[v] += prediction.skin_displacement[v];
-  const auto surface = with_points(face.skin, points);
-  add_point_array(surface, "displacement", prediction.skin_displacement);
-  write_surface(change.file("predicted.vtp"), surface);
-  std::vector<Vec3> u = prediction.x;
-  for (std::size_t n = 0; n < u.size(); ++n)
-    u[n] -= face.mesh.X[n];
-  write_mesh(change.file("predicted.vtu"), face.mesh, {{"displacement", u}});
+  write_surface(change.file("predicted.vtp"), displaced_skin(face, prediction.skin_displacement));
+  write_mesh(change.file("predicted.vtu"), face.mesh,
+             {{"displacement", node_displacements(face.mesh, prediction.x)}});
   for (std::size_t f = 0; f < motions.size(); ++f)
   {
-    const std::string name = file_part(face.mesh.fragments[f]);
-    const auto rest = read_surface(session.folder.require("fragment_" + name + ".vtp", "cut"));
-    std::vector<Vec3> moved = points_of(rest);
-    for (Vec3& p : moved)
-      p = motions[f].apply(p);
-    write_surface(change.file(name + "_moved.vtp"), with_points(rest, moved));
+    const std::string& name = face.mesh.fragments[f];
+    write_moved_fragment(session.folder, name, motions[f],
+                         change.file(file_part(name) + "_moved.vtp"));
   }
   write_json(change.file("predict.json"),
              {{"seconds", watch.seconds()},

@@ -38,11 +38,16 @@ ReportFragment report_fragment(const json& f)
 ReportSkinError report_error(const json& e)
 {
   ReportSkinError error;
-  const std::pair<const char*, double*> fields[] = {
-      {"mean", &error.mean}, {"sd", &error.sd}, {"variance", &error.variance},
-      {"median", &error.median}, {"p90", &error.p90}, {"p95", &error.p95}, {"max", &error.max},
-      {"under_1mm", &error.under_1mm}, {"under_2mm", &error.under_2mm},
-      {"signed_mean", &error.signed_mean}};
+  const std::pair<const char*, double*> fields[] = {{"mean", &error.mean},
+                                                    {"sd", &error.sd},
+                                                    {"variance", &error.variance},
+                                                    {"median", &error.median},
+                                                    {"p90", &error.p90},
+                                                    {"p95", &error.p95},
+                                                    {"max", &error.max},
+                                                    {"under_1mm", &error.under_1mm},
+                                                    {"under_2mm", &error.under_2mm},
+                                                    {"signed_mean", &error.signed_mean}};
   for (const auto& [key, field] : fields)
     *field = e.at(key).get<double>();
   return error;
@@ -51,8 +56,11 @@ ReportSkinError report_error(const json& e)
 std::vector<ReportMethod> report_methods(const json& plan)
 {
   const std::pair<const char*, const char*> known[] = {
-      {"rigid-fit", "Six degrees of freedom per fragment, fitted to the target face under the tissue's equilibrium. The default."},
-      {"virtual-force", "The paper's method: the skin is pulled to the target and the bone's contact surface is registered. Biased towards too little movement, shown for comparison."}};
+      {"rigid-fit", "Six degrees of freedom per fragment, fitted to the target face under the "
+                    "tissue's equilibrium. The default."},
+      {"virtual-force",
+       "The paper's method: the skin is pulled to the target and the bone's contact surface is "
+       "registered. Biased towards too little movement, shown for comparison."}};
   std::vector<ReportMethod> methods;
   for (const auto& [name, note] : known)
   {
@@ -148,7 +156,8 @@ std::vector<ReportFact> mesh_facts(const json& mesh)
 std::vector<std::string> warnings(const CaseSession& session, const json& plan)
 {
   std::vector<std::string> list = plan.at("warnings").get<std::vector<std::string>>();
-  for (const json& note : read_json(session.folder.require("segment.json", "segment")).at("notes"))
+  const json segment = read_json(session.folder.require("segment.json", "segment"));
+  for (const json& note : segment.at("notes"))
     list.push_back(note.get<std::string>());
   return list;
 }

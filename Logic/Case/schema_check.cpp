@@ -118,7 +118,8 @@ std::string allowed(const json& rule, const json& here)
   std::string text;
   if (here.contains("type"))
     text += "give " + here["type"].get<std::string>();
-  for (const char* key : {"minimum", "exclusiveMinimum", "maximum", "minItems", "maxItems", "pattern"})
+  for (const char* key :
+       {"minimum", "exclusiveMinimum", "maximum", "minItems", "maxItems", "pattern"})
     if (here.contains(key))
       text += std::string(text.empty() ? "" : ", ") + key + " " + here[key].dump();
   if (here.contains("required"))
@@ -141,7 +142,8 @@ std::string fault_text(const json& document, const json::json_pointer& at, const
   std::string value = document.contains(at) ? document.at(at).dump() : "absent";
   if (value.size() > 60)
     value = value.substr(0, 57) + "...";
-  return (where.empty() ? "the document" : "'" + where + "'") + " is " + value + ", which is not allowed";
+  return (where.empty() ? "the document" : "'" + where + "'") + " is " + value +
+         ", which is not allowed";
 }
 
 } // namespace

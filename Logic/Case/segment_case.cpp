@@ -19,7 +19,8 @@ using nlohmann::json;
 void require_file(const Path& path, const char* key)
 {
   if (!path.empty() && !std::filesystem::is_regular_file(path))
-    throw Error(path.string(), "there is no such file", std::string("correct '") + key + "' in the case file");
+    throw Error(path.string(), "there is no such file",
+                std::string("correct '") + key + "' in the case file");
 }
 
 /// Reads the cuts' inputs; returns the names of the fragments.
@@ -35,9 +36,10 @@ std::vector<std::string> check_cuts(const CaseSettings& s)
       require_file(planes, "/osteotomies/planes");
       (void)read_planes(planes);
     }
-    fragments.push_back(o.template_name.empty()
-                            ? o.fragment
-                            : osteotomy_from_template(o.template_name, o.fragment, landmarks, o.kerf_mm).fragment);
+    fragments.push_back(
+        o.template_name.empty()
+            ? o.fragment
+            : osteotomy_from_template(o.template_name, o.fragment, landmarks, o.kerf_mm).fragment);
   }
   require_distinct_fragments(fragments, "'/osteotomies'");
   return fragments;
@@ -95,7 +97,8 @@ void segment_case(CaseSession& session)
   session.folder.require_replaceable(case_file_names(), "segment");
   session.progress("reading the CT", 0);
   const CtImage::Pointer ct = read_ct(session.settings.ct);
-  const HeadSegmentation head = segment_head(*ct, segment_options(session.settings), session.progress);
+  const HeadSegmentation head =
+      segment_head(*ct, segment_options(session.settings), session.progress);
 
   session.progress("making surfaces", 0.8);
   SurfaceOptions skin_options;
@@ -119,7 +122,8 @@ void segment_case(CaseSession& session)
              {{"seconds", watch.seconds()},
               {"skin_threshold_hu", head.skin_threshold_hu},
               {"bone_threshold_hu", head.bone_threshold_hu},
-              {"region_ras", {{"min", to_json(head.region_ras.min)}, {"max", to_json(head.region_ras.max)}}},
+              {"region_ras",
+               {{"min", to_json(head.region_ras.min)}, {"max", to_json(head.region_ras.max)}}},
               {"skin", surface_facts(skin)},
               {"bone", surface_facts(bone)},
               {"notes", head.notes}});

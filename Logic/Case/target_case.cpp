@@ -46,8 +46,8 @@ TriangleMesh edited_skin(const Path& path, const TriangleMesh& reference)
   const TriangleMesh edited = to_triangle_mesh(read_surface(path));
   if (edited.points.size() != reference.points.size())
     throw Error(path.string(),
-                "it has " + std::to_string(edited.points.size()) + " vertices, the reference skin " +
-                    std::to_string(reference.points.size()),
+                "it has " + std::to_string(edited.points.size()) +
+                    " vertices, the reference skin " + std::to_string(reference.points.size()),
                 "edit the exported skin.vtp without adding, removing or merging vertices");
   if (!same_triangles(edited, reference))
     throw Error(path.string(), "its triangles join other vertices than those of the reference skin",
@@ -65,8 +65,9 @@ std::vector<Vec3> from_mesh(const Path& path, const TriangleMesh& reference)
     longest = std::max(longest, displacement[v].norm());
   }
   if (longest > longest_displacement_mm)
-    throw Error(path.string(), "it lies up to " + millimetres(longest) + " from the reference skin",
-                "keep vertex order and frame of skin.vtp: LPS, or RAS with SPACE=RAS said in the file");
+    throw Error(
+        path.string(), "it lies up to " + millimetres(longest) + " from the reference skin",
+        "keep vertex order and frame of skin.vtp: LPS, or RAS with SPACE=RAS said in the file");
   return displacement;
 }
 
@@ -84,7 +85,8 @@ std::vector<Vec3> from_movement(CaseSession& session)
 {
   const LoadedFace face = load_face(session);
   const Prediction prediction = predict_face(
-      face.model(), stated_motions(session.settings.target.movements, face, "'/target/from_movement'"),
+      face.model(),
+      stated_motions(session.settings.target.movements, face, "'/target/from_movement'"),
       equilibrium_options(session.settings), session.progress);
   require_converged(prediction.summary, "target from_movement");
   return prediction.skin_displacement;
@@ -105,11 +107,14 @@ void target_case(CaseSession& session)
 {
   const Stopwatch watch;
   const TargetSettings& target = session.settings.target;
-  const vtkSmartPointer<vtkPolyData> skin = read_surface(session.folder.require("skin.vtp", "segment"));
+  const vtkSmartPointer<vtkPolyData> skin =
+      read_surface(session.folder.require("skin.vtp", "segment"));
   const TriangleMesh reference = to_triangle_mesh(skin);
   session.progress("making the target face", 0);
-  const char* kind = !target.mesh.empty() ? "mesh" : !target.warp_from.empty() ? "warp" : "from_movement";
-  const std::vector<Vec3> displacement = !target.mesh.empty()        ? from_mesh(target.mesh, reference)
+  const char* kind = !target.mesh.empty()        ? "mesh"
+                     : !target.warp_from.empty() ? "warp"
+                                                 : "from_movement";
+  const std::vector<Vec3> displacement = !target.mesh.empty() ? from_mesh(target.mesh, reference)
                                          : !target.warp_from.empty() ? from_warp(target, reference)
                                                                      : from_movement(session);
   std::vector<Vec3> points = reference.points;

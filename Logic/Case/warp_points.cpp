@@ -14,11 +14,13 @@ void require_apart(const Landmarks& points, const Path& file)
   for (auto a = points.begin(); a != points.end(); ++a)
     for (auto b = std::next(a); b != points.end(); ++b)
       if ((a->second - b->second).norm() < LandmarkWarp::nearest_mm)
-        throw Error(file.string(), "the points '" + a->first + "' and '" + b->first + "' lie in one place",
+        throw Error(file.string(),
+                    "the points '" + a->first + "' and '" + b->first + "' lie in one place",
                     "remove one of them, or place them apart");
 }
 
-void require_labels(const Landmarks& points, const Path& file, const Landmarks& others, const Path& other)
+void require_labels(const Landmarks& points, const Path& file, const Landmarks& others,
+                    const Path& other)
 {
   for (const auto& [label, position] : others)
     if (!points.count(label))

@@ -12,8 +12,8 @@ struct WarpPoints
   std::vector<Vec3> from, to;
 };
 
-/// Reads a target's two point files; throws Error naming the file and the point where a label has no
-/// counterpart, or where two points cannot be told apart.
+/// Reads a target's two point files; throws Error naming the file and the point where a label has
+/// no counterpart, or where two points cannot be told apart.
 WarpPoints read_warp_points(const TargetSettings& target);
 
 } // namespace f2b

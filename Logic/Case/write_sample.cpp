@@ -22,7 +22,8 @@ struct TrueDistances
 /// The patient's own distances over its field of view: what a segmentation should find.
 TrueDistances sampled(const VirtualPatient& patient, const SyntheticCtOptions& ct)
 {
-  constexpr double spacing = 1.5; // smooth shapes: the surface between samples is 0.1 mm off at most
+  constexpr double spacing =
+      1.5; // smooth shapes: the surface between samples is 0.1 mm off at most
   ScalarGrid grid;
   grid.origin = ct.lower_ras;
   grid.spacing = spacing;
@@ -46,7 +47,7 @@ void write_warp(CaseChange& change, const VirtualPatient& patient)
 {
   const double forward = patient.options().midface_retrusion_mm;
   const std::pair<const char*, double> moved[] = {
-      {"prn", 1.0},   {"sn", 1.0},   {"ls", 1.0},  {"ch_R", 0.6}, {"ch_L", 0.6},
+      {"prn", 1.0},   {"sn", 1.0},    {"ls", 1.0},  {"ch_R", 0.6}, {"ch_L", 0.6},
       {"Or'_R", 0.9}, {"Or'_L", 0.9}, {"N'", 0.35}, {"li", 0.2},   {"Pg'", 0.0}};
   PointMarkup from, to;
   for (const auto& [name, share] : moved)
@@ -61,10 +62,12 @@ void write_warp(CaseChange& change, const VirtualPatient& patient)
 
 json sample_case(const VirtualPatient& patient)
 {
-  const Vec3 chin = patient.landmark("Me'"), nose = patient.landmark("prn"), root = patient.landmark("N'");
+  const Vec3 chin = patient.landmark("Me'"), nose = patient.landmark("prn"),
+             root = patient.landmark("N'");
   return {{"schema", "facetobone-case/1"},
           {"name", "Virtual patient, retruded mid-face"},
-          {"notes", "Made by 'facetobone sample'. The mid-face lies behind; the target brings it forward."},
+          {"notes",
+           "Made by 'facetobone sample'. The mid-face lies behind; the target brings it forward."},
           {"ct", "ct.nrrd"},
           {"landmarks", "landmarks.mrk.json"},
           {"region_ras",
@@ -72,7 +75,8 @@ json sample_case(const VirtualPatient& patient)
             {"max", to_json(Vec3(76, nose.y() + 8, root.z() + 45))}}},
           {"osteotomies", {{{"fragment", "mid-face"}, {"template", "le-fort-3"}}}},
           {"target",
-           {{"warp", {{"from", "target_from.mrk.json"}, {"to", "target_to.mrk.json"}, {"radius_mm", 80}}},
+           {{"warp",
+             {{"from", "target_from.mrk.json"}, {"to", "target_to.mrk.json"}, {"radius_mm", 80}}},
             {"mask_mm", 1.0}}},
           {"materials", "table1-stable"}};
 }

@@ -11,6 +11,7 @@
 #include <functional>
 #include <iostream>
 #include <new>
+#include <sstream>
 
 namespace
 {
@@ -41,7 +42,8 @@ void print_plan(const Path& folder)
 {
   std::cout << plan_table(read_json(folder / "plan.json"));
   if (std::filesystem::exists(folder / "report.html"))
-    std::cout << "Report: " << std::filesystem::absolute(folder / "report.html").lexically_normal().string()
+    std::cout << "Report: "
+              << std::filesystem::absolute(folder / "report.html").lexically_normal().string()
               << "\n";
 }
 
@@ -102,27 +104,52 @@ CLI::App* add_verb(CLI::App& app, Arguments& a, const char* name, const char* he
 
 CLI::App* add_movements(CLI::App* verb, Arguments& a)
 {
-  verb->add_option("--movement", a.movements,
-                   "Movement of a fragment, NAME:right,anterior,superior,pitch,roll,yaw in mm and degrees, "
-                   "such as 'mid-face:2,11,-5,5,2.5,0'; may be repeated");
+  verb->add_option(
+      "--movement", a.movements,
+      "Movement of a fragment, NAME:right,anterior,superior,pitch,roll,yaw in mm and degrees, "
+      "such as 'mid-face:2,11,-5,5,2.5,0'; may be repeated");
   return verb;
 }
 
 CLI::App* add_case_verb(CLI::App& app, Arguments& a, const char* name, const char* help)
 {
   CLI::App* verb = app.add_subcommand(name, help);
-  verb->add_option("CASE", a.case_file, "Case file (JSON; Resources/Schema/case.schema.json)")->required();
+  verb->add_option("CASE", a.case_file, "Case file (JSON; Resources/Schema/case.schema.json)")
+      ->required();
   verb->add_option("-o,--output", a.folder, "Case folder to write")->required();
   return verb;
 }
 
+/// Like CLI::Range, which lets "nan" through.
+CLI::Validator within(double low, double high)
+{
+  std::ostringstream range;
+  range << "from " << low << " to " << high;
+  return CLI::Validator(
+      [=, text = range.str()](std::string& word)
+      {
+        double value = 0;
+        const bool good = CLI::detail::lexical_cast(word, value) && value >= low && value <= high;
+        return good ? std::string() : word + " is not a number " + text;
+      },
+      range.str());
+}
+
 void add_sample(CLI::App& app, Arguments& a, std::map<CLI::App*, Action>& actions)
 {
-  CLI::App* verb = app.add_subcommand("sample", "Make the virtual patient: CT, landmarks, true surfaces and case.json");
+  CLI::App* verb = app.add_subcommand(
+      "sample", "Make the virtual patient: CT, landmarks, true surfaces and case.json");
   verb->add_option("-o,--out", a.folder, "Folder to write")->required();
-  verb->add_option("--spacing", a.sample.spacing_mm, "Voxel size [mm]")->check(CLI::Range(0.5, 3.0))->capture_default_str();
-  verb->add_option("--noise", a.sample.noise_sd_hu, "Standard deviation of the noise [HU]")->check(CLI::Range(0.0, 200.0))->capture_default_str();
-  verb->add_option("--retrusion", a.sample.midface_retrusion_mm, "How far the mid-face lies behind [mm]")->check(CLI::Range(0.0, 10.0))->capture_default_str();
+  verb->add_option("--spacing", a.sample.spacing_mm, "Voxel size [mm]")
+      ->check(within(0.5, 3.0))
+      ->capture_default_str();
+  verb->add_option("--noise", a.sample.noise_sd_hu, "Standard deviation of the noise [HU]")
+      ->check(within(0.0, 200.0))
+      ->capture_default_str();
+  verb->add_option("--retrusion", a.sample.midface_retrusion_mm,
+                   "How far the mid-face lies behind [mm]")
+      ->check(within(0.0, 10.0))
+      ->capture_default_str();
   verb->add_option("--seed", a.sample.seed, "Seed of the noise")->capture_default_str();
   verb->add_flag("--streaks", a.sample.streaks, "Metal streaks from dental crowns");
   verb->add_flag("--head-rest", a.sample.head_rest, "A head rest behind the head");
@@ -143,20 +170,27 @@ std::map<CLI::App*, Action> add_verbs(CLI::App& app, Arguments& a)
 {
   std::map<CLI::App*, Action> actions;
   add_sample(app, a, actions);
-  actions[add_case_verb(app, a, "run", "Do everything: CT and target face in, plan and report out")] = run;
-  actions[add_case_verb(app, a, "segment", "Find skin and bone in the CT; begins a case folder")] = segment;
+  actions[add_case_verb(app, a, "run",
+                        "Do everything: CT and target face in, plan and report out")] = run;
+  actions[add_case_verb(app, a, "segment", "Find skin and bone in the CT; begins a case folder")] =
+      segment;
   actions[add_verb(app, a, "cut", "Cut the bone into fragments")] = on_case(cut_case);
-  actions[add_verb(app, a, "mesh", "Mesh skin and soft tissue between face and bone")] = on_case(mesh_case);
+  actions[add_verb(app, a, "mesh", "Mesh skin and soft tissue between face and bone")] =
+      on_case(mesh_case);
   CLI::App* target_verb = add_movements(add_verb(app, a, "target", "Make the target face"), a);
-  target_verb->add_option("--mesh", a.target_mesh, "The exported skin.vtp after editing (.vtp, .ply, .obj)");
+  target_verb->add_option("--mesh", a.target_mesh,
+                          "The exported skin.vtp after editing (.vtp, .ply, .obj)");
   auto* from = target_verb->add_option("--warp-from", a.warp_from, "Slicer fiducials on the face");
   auto* to = target_verb->add_option("--warp-to", a.warp_to, "Where they should go, same labels");
   from->needs(to);
   to->needs(from);
-  target_verb->add_option("--warp-radius", a.warp_radius_mm, "No effect farther than this [mm]")->capture_default_str();
+  target_verb->add_option("--warp-radius", a.warp_radius_mm, "No effect farther than this [mm]")
+      ->capture_default_str();
   actions[target_verb] = target;
-  actions[add_verb(app, a, "plan", "Find the bone movements that give the target face")] = on_case(plan_case);
-  actions[add_movements(add_verb(app, a, "predict", "Predict the face that a bone movement gives"), a)] = predict;
+  actions[add_verb(app, a, "plan", "Find the bone movements that give the target face")] =
+      on_case(plan_case);
+  actions[add_movements(add_verb(app, a, "predict", "Predict the face that a bone movement gives"),
+                        a)] = predict;
   actions[add_verb(app, a, "report", "Draw pictures and write report.html")] = on_case(report_case);
   return actions;
 }
@@ -164,9 +198,20 @@ std::map<CLI::App*, Action> add_verbs(CLI::App& app, Arguments& a)
 int report_failure(std::string text, int code)
 {
   // one line, whatever a library says
-  std::replace_if(text.begin(), text.end(), [](unsigned char c) { return c < ' '; }, ' ');
+  std::replace_if(
+      text.begin(), text.end(), [](unsigned char c) { return c < ' '; }, ' ');
   std::cerr << "facetobone: " << text << "\n";
   return code;
+}
+
+/// What was wrong with the arguments, and where to look.
+std::string usage_text(const CLI::App& app, const std::string& fault, const std::string& first_word)
+{
+  const auto verbs = app.get_subcommands();
+  if (!verbs.empty())
+    return fault + "; see facetobone " + verbs.front()->get_name() + " --help";
+  const bool misspelt = !first_word.empty() && first_word[0] != '-';
+  return (misspelt ? "'" + first_word + "' is no command" : fault) + "; see facetobone --help";
 }
 
 /// Every failure leaves here as one line and one exit code.
@@ -184,11 +229,13 @@ int perform(const std::string& verb, const Action& action, const Arguments& a)
   }
   catch (const Error& error)
   {
-    return report_failure(error.what(), error.kind() == ErrorKind::Numerical ? numerical_failure : bad_input);
+    return report_failure(error.what(),
+                          error.kind() == ErrorKind::Numerical ? numerical_failure : bad_input);
   }
   catch (const std::bad_alloc&)
   {
-    return report_failure("memory ran out; use a lower mesh.density or a machine with more memory", any_other);
+    return report_failure("memory ran out; use a lower mesh.density or a machine with more memory",
+                          any_other);
   }
   catch (const std::exception& error)
   {
@@ -200,10 +247,12 @@ int perform(const std::string& verb, const Action& action, const Arguments& a)
 
 int main(int argc, char** argv)
 {
-  CLI::App app("FaceToBone plans cranio-maxillofacial surgery from the face backwards: give the face that the\n"
-               "patient should have and the bone cuts, and it computes how each fragment must move.\n"
-               "Research software, not a medical device.\n\n"
-               "Try:  facetobone sample -o patient && facetobone run patient/case.json -o plan");
+  CLI::App app(
+      "FaceToBone plans cranio-maxillofacial surgery from the face backwards: give the face that "
+      "the\n"
+      "patient should have and the bone cuts, and it computes how each fragment must move.\n"
+      "Research software, not a medical device.\n\n"
+      "Try:  facetobone sample -o patient && facetobone run patient/case.json -o plan");
   app.set_version_flag("--version", std::string("facetobone ") + FACETOBONE_VERSION);
   app.require_subcommand(1);
   app.fallthrough(); // --quiet may stand after the verb
@@ -219,10 +268,7 @@ int main(int argc, char** argv)
   {
     if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success))
       return app.exit(error); // help or version
-    const auto verbs = app.get_subcommands();
-    return report_failure(std::string(error.what()) + "; see facetobone " +
-                              (verbs.empty() ? "" : verbs.front()->get_name() + " ") + "--help",
-                          bad_input);
+    return report_failure(usage_text(app, error.what(), argc > 1 ? argv[1] : ""), bad_input);
   }
   CLI::App* verb = app.get_subcommands().front();
   return perform(verb->get_name(), actions.at(verb), arguments);

@@ -35,18 +35,19 @@ void add_movements(std::string& text, const std::string& method, const json& fra
       std::string amount = amount_text(row);
       // the degree sign is two bytes but one column
       const int width = row.unit == MovementUnit::Degree ? 13 : 12;
-      print(text, "  %-16s %-18s %*s  %s\n", f.at("name").get<std::string>().c_str(), row.axis.c_str(),
-            width, amount.c_str(), row.direction.c_str());
+      print(text, "  %-16s %-18s %*s  %s\n", f.at("name").get<std::string>().c_str(),
+            row.axis.c_str(), width, amount.c_str(), row.direction.c_str());
     }
     const json& c = f.at("reference_point_ras");
-    print(text, "  of the fragment's area centroid at R %.1f, A %.1f, S %.1f mm\n", c[0].get<double>(),
-          c[1].get<double>(), c[2].get<double>());
+    print(text, "  of the fragment's area centroid at R %.1f, A %.1f, S %.1f mm\n",
+          c[0].get<double>(), c[1].get<double>(), c[2].get<double>());
   }
 }
 
 void add_errors(std::string& text, const json& methods, const char* key, const char* title)
 {
-  static const char* columns[] = {"mean", "sd", "variance", "median", "p90", "p95", "max", "signed_mean"};
+  static const char* columns[] = {"mean", "sd",  "variance", "median",
+                                  "p90",  "p95", "max",      "signed_mean"};
   print(text, "\n%s\n  %-15s", title, "");
   for (const char* column : columns)
     print(text, "%9s", column == std::string("signed_mean") ? "signed" : column);
@@ -59,7 +60,8 @@ void add_errors(std::string& text, const json& methods, const char* key, const c
     print(text, "  %-15s", name.c_str());
     for (const char* column : columns)
       print(text, "%9.3f", e.at(column).get<double>());
-    print(text, "%7.1f %%%7.1f %%\n", 100 * e.at("under_1mm").get<double>(), 100 * e.at("under_2mm").get<double>());
+    print(text, "%7.1f %%%7.1f %%\n", 100 * e.at("under_1mm").get<double>(),
+          100 * e.at("under_2mm").get<double>());
   }
 }
 
@@ -74,7 +76,8 @@ std::string plan_table(const json& plan)
   for (const char* method : {"rigid-fit", "virtual-force"})
     add_movements(text, method, plan.at("methods").at(method).at("fragments"));
   add_errors(text, plan.at("methods"), "skin_error_mm", "Predicted face against the target [mm]");
-  add_errors(text, plan.at("methods"), "load_residual_mm", "What the virtual force itself leaves [mm]");
+  add_errors(text, plan.at("methods"), "load_residual_mm",
+             "What the virtual force itself leaves [mm]");
   for (const json& warning : plan.at("warnings"))
     text += "Warning: " + warning.get<std::string>() + "\n";
   print(text, "\n%.1f s in all, %.1f GiB at most. Research software, not a medical device.\n",

@@ -30,8 +30,10 @@ void ProgressBar::draw(std::string_view what, double fraction)
   m_last_percent = percent;
   m_last_what = what;
   const int width = 30, filled = percent * width / 100;
-  std::fprintf(stderr, "\r\033[K[%s%s] %3d %%  %s", std::string(static_cast<std::size_t>(filled), '#').c_str(),
-               std::string(static_cast<std::size_t>(width - filled), '.').c_str(), percent, m_last_what.c_str());
+  std::fprintf(stderr, "\r\033[K[%s%s] %3d %%  %s",
+               std::string(static_cast<std::size_t>(filled), '#').c_str(),
+               std::string(static_cast<std::size_t>(width - filled), '.').c_str(), percent,
+               m_last_what.c_str());
   std::fflush(stderr);
 }
 

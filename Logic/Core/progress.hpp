@@ -10,8 +10,6 @@ namespace f2b
 using Progress = std::function<void(std::string_view what, double fraction)>;
 
 /// A progress that nobody looks at.
-inline void no_progress(std::string_view, double)
-{
-}
+inline void no_progress(std::string_view, double) {}
 
 } // namespace f2b

@@ -21,7 +21,8 @@ void write_ct(const CtImage& ct, const std::filesystem::path& path)
   }
   catch (const itk::ExceptionObject&)
   {
-    throw Error(path.string(), "it cannot be written", "check the folder's permissions and free space");
+    throw Error(path.string(), "it cannot be written",
+                "check the folder's permissions and free space");
   }
 }
 

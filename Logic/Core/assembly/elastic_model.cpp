@@ -9,7 +9,8 @@ namespace
 {
 
 template <class Element, std::size_t N>
-typename Element::Positions corner_positions(const std::vector<Vec3>& x, const std::array<int, N>& corners)
+typename Element::Positions corner_positions(const std::vector<Vec3>& x,
+                                             const std::array<int, N>& corners)
 {
   typename Element::Positions p;
   for (std::size_t i = 0; i < N; ++i)
@@ -77,8 +78,9 @@ struct BlockOfPair
 };
 
 template <std::size_t N>
-void list_blocks(const std::vector<std::array<int, N>>& elements, const std::vector<int>& unknown_of_node,
-                 long first_offset, bool prism, std::vector<BlockOfPair>& blocks)
+void list_blocks(const std::vector<std::array<int, N>>& elements,
+                 const std::vector<int>& unknown_of_node, long first_offset, bool prism,
+                 std::vector<BlockOfPair>& blocks)
 {
   const long n = 3 * static_cast<long>(N);
   for (std::size_t e = 0; e < elements.size(); ++e)
@@ -96,15 +98,17 @@ void list_blocks(const std::vector<std::array<int, N>>& elements, const std::vec
 }
 
 template <std::size_t N>
-void list_slots(const std::vector<std::array<int, N>>& elements, const std::vector<int>& unknown_of_node,
-                long first_slot, std::vector<std::vector<long>>& slots)
+void list_slots(const std::vector<std::array<int, N>>& elements,
+                const std::vector<int>& unknown_of_node, long first_slot,
+                std::vector<std::vector<long>>& slots)
 {
   for (std::size_t e = 0; e < elements.size(); ++e)
     for (std::size_t a = 0; a < N; ++a)
     {
       const int unknown = unknown_of_node[static_cast<std::size_t>(elements[e][a])];
       if (unknown >= 0)
-        slots[static_cast<std::size_t>(unknown)].push_back(first_slot + static_cast<long>(e * N + a));
+        slots[static_cast<std::size_t>(unknown)].push_back(first_slot +
+                                                           static_cast<long>(e * N + a));
     }
 }
 
@@ -164,8 +168,8 @@ void ElasticModel::build_pattern()
     m_pair_blocks.push_back(blocks[i].block);
   }
   m_pair_start.push_back(static_cast<long>(blocks.size()));
-  m_pair_value = scalar_pattern(m_pair_row, m_pair_column, static_cast<long>(m_unknown_nodes.size()),
-                                m_stiffness);
+  m_pair_value = scalar_pattern(m_pair_row, m_pair_column,
+                                static_cast<long>(m_unknown_nodes.size()), m_stiffness);
 
   std::vector<std::vector<long>> slots(m_unknown_nodes.size());
   list_slots(m_mesh.tets, m_unknown_of_node, 0, slots);
@@ -217,9 +221,8 @@ Eigen::VectorXd ElasticModel::gather_forces(const std::vector<double>& corner_fo
   for (long n = 0; n < nodes; ++n)
     for (long s = m_node_slot_start[static_cast<std::size_t>(n)];
          s < m_node_slot_start[static_cast<std::size_t>(n) + 1]; ++s)
-      total.segment<3>(3 * n) +=
-          Eigen::Map<const Vec3>(&corner_forces[3 * static_cast<std::size_t>(
-                                     m_node_slots[static_cast<std::size_t>(s)])]);
+      total.segment<3>(3 * n) += Eigen::Map<const Vec3>(
+          &corner_forces[3 * static_cast<std::size_t>(m_node_slots[static_cast<std::size_t>(s)])]);
   return total;
 }
 
@@ -251,9 +254,8 @@ Eigen::VectorXd ElasticModel::forces(const std::vector<Vec3>& x) const
   for (long e = 0; e < tets; ++e)
   {
     const auto i = static_cast<std::size_t>(e);
-    matrix_at<Tet4::Positions>(corner, 12 * i) =
-        element_forces(m_tets[i], corner_positions<Tet4>(x, m_mesh.tets[i]),
-                       m_materials.of(m_mesh.tet_tissue[i]));
+    matrix_at<Tet4::Positions>(corner, 12 * i) = element_forces(
+        m_tets[i], corner_positions<Tet4>(x, m_mesh.tets[i]), m_materials.of(m_mesh.tet_tissue[i]));
   }
 #pragma omp parallel for schedule(static)
   for (long e = 0; e < prisms; ++e)
@@ -334,8 +336,10 @@ void ElasticModel::gather_stiffness()
       for (int r = diagonal ? c : 0; r < 3; ++r)
         m_stiffness.value[static_cast<std::size_t>(value + r - (diagonal ? c : 0))] = sum(r, c);
       const long column_length =
-          m_stiffness.column_start[3 * static_cast<std::size_t>(column) + static_cast<std::size_t>(c) + 1] -
-          m_stiffness.column_start[3 * static_cast<std::size_t>(column) + static_cast<std::size_t>(c)];
+          m_stiffness.column_start[3 * static_cast<std::size_t>(column) +
+                                   static_cast<std::size_t>(c) + 1] -
+          m_stiffness
+              .column_start[3 * static_cast<std::size_t>(column) + static_cast<std::size_t>(c)];
       value += diagonal ? column_length : column_length - 1;
     }
   }

@@ -26,7 +26,10 @@ public:
   long unknown_count() const { return 3 * static_cast<long>(m_unknown_nodes.size()); }
   /// Nodes with unknown positions; unknown 3 i + a is component a of node `unknown_nodes()[i]`.
   const std::vector<int>& unknown_nodes() const { return m_unknown_nodes; }
-  bool is_prescribed(int node) const { return m_unknown_of_node[static_cast<std::size_t>(node)] < 0; }
+  bool is_prescribed(int node) const
+  {
+    return m_unknown_of_node[static_cast<std::size_t>(node)] < 0;
+  }
 
   /// Total energy at positions x [N mm]; infinite if an element is inverted at a quadrature point.
   double energy(const std::vector<Vec3>& x) const;

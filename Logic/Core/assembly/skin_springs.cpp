@@ -18,7 +18,8 @@ std::vector<SkinSpring> make_skin_springs(const MixedMesh& mesh, const SkinMap& 
     Vec3 target = displacement[v];
     const auto& corners = mesh.prisms[static_cast<std::size_t>(place.prism)];
     for (int i = 0; i < 3; ++i)
-      target += place.weights[i] * mesh.X[static_cast<std::size_t>(corners[static_cast<std::size_t>(i)])];
+      target +=
+          place.weights[i] * mesh.X[static_cast<std::size_t>(corners[static_cast<std::size_t>(i)])];
     SkinSpring& spring = springs[place.prism];
     spring.prism = place.prism;
     spring.mass += area[v] * place.weights * place.weights.transpose();

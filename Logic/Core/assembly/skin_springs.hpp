@@ -13,9 +13,9 @@ namespace f2b
 struct SkinSpring
 {
   int prism = -1;
-  Mat3 mass = Mat3::Zero();         ///< sum_v a_v b_vi b_vj [mm^2]
-  Mat3 pull = Mat3::Zero();         ///< column i: sum_v a_v b_vi p1_v [mm^3]
-  double offset = 0;                ///< sum_v a_v |p1_v|^2 [mm^4]
+  Mat3 mass = Mat3::Zero(); ///< sum_v a_v b_vi b_vj [mm^2]
+  Mat3 pull = Mat3::Zero(); ///< column i: sum_v a_v b_vi p1_v [mm^3]
+  double offset = 0;        ///< sum_v a_v |p1_v|^2 [mm^4]
 };
 
 /// Springs to the targets `X_v + displacement_v`, one per prism that carries loaded vertices.

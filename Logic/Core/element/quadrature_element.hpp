@@ -13,8 +13,8 @@ template <int N, int Q>
 struct QuadratureElement
 {
   static constexpr int corners = N;
-  using Positions = Eigen::Matrix<double, 3, N>;  ///< one column per corner [mm]
-  using Gradients = Eigen::Matrix<double, N, 3>;  ///< row i: dN_i/dX [1/mm]
+  using Positions = Eigen::Matrix<double, 3, N>; ///< one column per corner [mm]
+  using Gradients = Eigen::Matrix<double, N, 3>; ///< row i: dN_i/dX [1/mm]
   using Stiffness = Eigen::Matrix<double, 3 * N, 3 * N>;
 
   std::array<Gradients, Q> gradients;

@@ -10,7 +10,7 @@ namespace f2b
 struct BoneOverlap
 {
   double volume_mm3 = 0;
-  double depth_mm = 0;        ///< how deep the fragment reaches below the surface of the bone that stays
+  double depth_mm = 0; ///< how deep the fragment reaches below the surface of the bone that stays
   Vec3 deepest = Vec3::Zero(); ///< where [mm, RAS]
 };
 

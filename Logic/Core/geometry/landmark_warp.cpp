@@ -31,7 +31,8 @@ LandmarkWarp::LandmarkWarp(std::vector<Vec3> from, const std::vector<Vec3>& to, 
                     " to points",
                 "give as many to points as from points, at least one");
   if (!(radius_mm > 0) || !std::isfinite(radius_mm))
-    throw Error("target warp", "radius_mm is " + std::to_string(radius_mm), "give a positive, finite radius");
+    throw Error("target warp", "radius_mm is " + std::to_string(radius_mm),
+                "give a positive, finite radius");
   const auto n = static_cast<Eigen::Index>(m_from.size());
   Eigen::MatrixXd kernel(n, n), moves(n, 3);
   for (Eigen::Index i = 0; i < n; ++i)
@@ -39,7 +40,8 @@ LandmarkWarp::LandmarkWarp(std::vector<Vec3> from, const std::vector<Vec3>& to, 
     const Vec3& p = m_from[static_cast<std::size_t>(i)];
     moves.row(i) = (to[static_cast<std::size_t>(i)] - p).transpose();
     if (!moves.row(i).allFinite() || !p.allFinite())
-      throw Error("target warp", "point " + std::to_string(i + 1) + " has a coordinate that is not finite",
+      throw Error("target warp",
+                  "point " + std::to_string(i + 1) + " has a coordinate that is not finite",
                   "correct it in the markups file");
     for (Eigen::Index j = 0; j < n; ++j)
       kernel(i, j) = wendland((p - m_from[static_cast<std::size_t>(j)]).norm(), radius_mm);

@@ -6,7 +6,8 @@
 namespace f2b
 {
 
-/// A smooth displacement field that takes each `from` point exactly to its `to` point and fades out.
+/// A smooth displacement field that takes each `from` point exactly to its `to` point and fades
+/// out.
 ///
 /// Sum of Wendland's C2 functions phi(r) = (1 - r/R)^4 (4 r/R + 1) for r < R, centred on the from
 /// points; reference: H. Wendland, Adv. Comput. Math. 4 (1995) 389.

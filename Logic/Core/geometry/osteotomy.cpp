@@ -51,7 +51,8 @@ public:
 private:
   Vec3 position(std::size_t voxel) const
   {
-    const auto x = static_cast<std::size_t>(m_bone.size.x()), y = static_cast<std::size_t>(m_bone.size.y());
+    const auto x = static_cast<std::size_t>(m_bone.size.x()),
+               y = static_cast<std::size_t>(m_bone.size.y());
     return m_bone.position(static_cast<int>(voxel % x), static_cast<int>(voxel / x % y),
                            static_cast<int>(voxel / (x * y)));
   }
@@ -73,16 +74,17 @@ private:
   const ScalarGrid& m_closed;
   const std::vector<Osteotomy>& m_osteotomies;
   std::vector<const BoundedPlane*> m_planes;
-  std::vector<int> m_component;      ///< per voxel: connected actual bone, or -1
-  std::vector<std::size_t> m_sizes;  ///< voxels per component
-  std::vector<Label> m_label;        ///< per voxel
+  std::vector<int> m_component;     ///< per voxel: connected actual bone, or -1
+  std::vector<std::size_t> m_sizes; ///< voxels per component
+  std::vector<Label> m_label;       ///< per voxel
   BonePartition m_result;
 };
 
 template <class Visit>
 void Flood::for_each_neighbor(std::size_t voxel, Visit visit) const
 {
-  const auto nx = static_cast<std::size_t>(m_bone.size.x()), ny = static_cast<std::size_t>(m_bone.size.y()),
+  const auto nx = static_cast<std::size_t>(m_bone.size.x()),
+             ny = static_cast<std::size_t>(m_bone.size.y()),
              nz = static_cast<std::size_t>(m_bone.size.z());
   const std::size_t i = voxel % nx, j = voxel / nx % ny, k = voxel / (nx * ny);
   if (i > 0)
@@ -129,7 +131,8 @@ void Flood::find_components()
       for_each_neighbor(voxel,
                         [&](std::size_t next)
                         {
-                          if (!is_bone(next) || m_component[next] >= 0 || blocking(p, position(next), at))
+                          if (!is_bone(next) || m_component[next] >= 0 ||
+                              blocking(p, position(next), at))
                             return;
                           m_component[next] = id;
                           front.push_back(next);
@@ -148,7 +151,8 @@ int Flood::component_at(const Osteotomy& osteotomy) const
   for (std::size_t voxel = 0; voxel < m_component.size(); ++voxel)
   {
     const int id = m_component[voxel];
-    if (id < 0 || static_cast<double>(m_sizes[static_cast<std::size_t>(id)]) * voxel_mm3 < island_mm3)
+    if (id < 0 ||
+        static_cast<double>(m_sizes[static_cast<std::size_t>(id)]) * voxel_mm3 < island_mm3)
       continue;
     const double distance = (position(voxel) - osteotomy.fragment_point).norm();
     if (distance < nearest)
@@ -158,10 +162,11 @@ int Flood::component_at(const Osteotomy& osteotomy) const
     }
   }
   if (found < 0)
-    throw Error("osteotomy '" + osteotomy.fragment + "'",
-                "no connected bone of at least 1.5 cm3 lies within 10 mm of its fragment point",
-                "move the fragment point (or the landmark that it comes from) onto the bone that is "
-                "to be free, or check the planes");
+    throw Error(
+        "osteotomy '" + osteotomy.fragment + "'",
+        "no connected bone of at least 1.5 cm3 lies within 10 mm of its fragment point",
+        "move the fragment point (or the landmark that it comes from) onto the bone that is "
+        "to be free, or check the planes");
   return found;
 }
 
@@ -176,8 +181,9 @@ void Flood::name_components()
   {
     const auto id = static_cast<std::size_t>(component_at(m_osteotomies[k]));
     if (name[id] != BonePartition::uncut)
-      throw Error("osteotomies '" + m_osteotomies[name[id] - BonePartition::first_fragment].fragment +
-                      "' and '" + m_osteotomies[k].fragment + "'",
+      throw Error("osteotomies '" +
+                      m_osteotomies[name[id] - BonePartition::first_fragment].fragment + "' and '" +
+                      m_osteotomies[k].fragment + "'",
                   "free the same piece of bone", "add a plane between them, or remove one of them");
     name[id] = static_cast<Label>(BonePartition::first_fragment + k);
   }
@@ -239,26 +245,26 @@ void Flood::collect_cuts()
     if (m_label[voxel] == BonePartition::no_bone)
       continue;
     const Vec3 p = position(voxel);
-    for_each_neighbor(
-        voxel,
-        [&](std::size_t next)
-        {
-          if (next < voxel || m_label[next] == BonePartition::no_bone)
-            return;
-          const Label a = m_label[voxel], b = m_label[next];
-          const BoundedPlane* plane = blocking(p, position(next), at);
-          if (plane && is_bone(voxel) && is_bone(next))
-          {
-            ++sides[plane].hits;
-            sides[plane].through_fragment += a == b && a >= BonePartition::first_fragment;
-          }
-          if (a == b)
-            return;
-          for (const Label label : {a, b})
-            if (label >= BonePartition::first_fragment)
-              m_result.cut_points[label - BonePartition::first_fragment].push_back(
-                  plane ? at : Vec3(0.5 * (p + position(next))));
-        });
+    for_each_neighbor(voxel,
+                      [&](std::size_t next)
+                      {
+                        if (next < voxel || m_label[next] == BonePartition::no_bone)
+                          return;
+                        const Label a = m_label[voxel], b = m_label[next];
+                        const BoundedPlane* plane = blocking(p, position(next), at);
+                        if (plane && is_bone(voxel) && is_bone(next))
+                        {
+                          ++sides[plane].hits;
+                          sides[plane].through_fragment +=
+                              a == b && a >= BonePartition::first_fragment;
+                        }
+                        if (a == b)
+                          return;
+                        for (const Label label : {a, b})
+                          if (label >= BonePartition::first_fragment)
+                            m_result.cut_points[label - BonePartition::first_fragment].push_back(
+                                plane ? at : Vec3(0.5 * (p + position(next))));
+                      });
   }
   for (const Osteotomy& osteotomy : m_osteotomies)
     for (const BoundedPlane& plane : osteotomy.planes)
@@ -266,10 +272,11 @@ void Flood::collect_cuts()
       const Sides& s = sides[&plane];
       const std::string who = "osteotomy '" + osteotomy.fragment + "', plane '" + plane.name + "'";
       if (s.hits == 0)
-        throw Error(who, "it misses the bone", "move or enlarge the plane until it crosses the bone");
+        throw Error(who, "it misses the bone",
+                    "move or enlarge the plane until it crosses the bone");
       char share[32];
-      std::snprintf(share, sizeof share, "%.0f", 100.0 * static_cast<double>(s.through_fragment) /
-                                                     static_cast<double>(s.hits));
+      std::snprintf(share, sizeof share, "%.0f",
+                    100.0 * static_cast<double>(s.through_fragment) / static_cast<double>(s.hits));
       if (static_cast<double>(s.through_fragment) > 0.3 * static_cast<double>(s.hits))
         throw Error(who,
                     "the cuts do not free the fragment: " + std::string(share) +
@@ -305,8 +312,8 @@ BonePartition cut_bone(const ScalarGrid& bone, const ScalarGrid& closed_bone,
 namespace
 {
 
-/// Voxels that the saw may touch: those near the cut faces. A plane drawn wider than its fragment does
-/// not harm the bone beyond.
+/// Voxels that the saw may touch: those near the cut faces. A plane drawn wider than its fragment
+/// does not harm the bone beyond.
 std::vector<char> near_cut_faces(const ScalarGrid& bone, const BonePartition& partition)
 {
   std::vector<char> near(bone.values.size(), 0);
@@ -371,8 +378,8 @@ ScalarGrid part_field(const ScalarGrid& bone, const BonePartition& partition, un
           continue;
         }
         const NearestSaw saw = nearest_saw(bone.position(i, j, k), 0.5 * bone.spacing, partition);
-        const double beyond = saw.distance < 2 * bone.spacing ? saw.half_kerf + saw.distance
-                                                              : 0.5 * bone.spacing;
+        const double beyond =
+            saw.distance < 2 * bone.spacing ? saw.half_kerf + saw.distance : 0.5 * bone.spacing;
         const double cut = other ? beyond : saw.half_kerf - saw.distance;
         field.values[voxel] = std::max(bone.values[voxel], static_cast<float>(cut));
       }

@@ -27,10 +27,10 @@ struct BoundedPlane
 /// One operation: the planes that it cuts along and the fragment that it frees.
 struct Osteotomy
 {
-  std::string fragment;             ///< name of the freed fragment
+  std::string fragment; ///< name of the freed fragment
   std::vector<BoundedPlane> planes;
   Vec3 fragment_point = Vec3::Zero(); ///< a point on or near the bone that is to be free
-  double kerf_mm = 1.0;             ///< width of bone that the saw takes away
+  double kerf_mm = 1.0;               ///< width of bone that the saw takes away
 };
 
 /// The bone after the cuts, on the lattice of its distance maps.
@@ -38,7 +38,7 @@ struct BonePartition
 {
   static constexpr unsigned char no_bone = 0, uncut = 1, first_fragment = 2;
 
-  LabelGrid labels;            ///< of the closed bone: no_bone, uncut or first_fragment + index
+  LabelGrid labels; ///< of the closed bone: no_bone, uncut or first_fragment + index
   std::vector<Osteotomy> osteotomies;
   std::vector<std::vector<Vec3>> cut_points; ///< per fragment: points of its cut faces [mm]
   std::vector<double> fragment_volume_mm3;   ///< of actual bone

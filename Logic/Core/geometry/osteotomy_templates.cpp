@@ -38,11 +38,14 @@ public:
 };
 
 /// Component of v at right angles to a unit axis, normalised.
-Vec3 across(const Vec3& v, const Vec3& axis) { return (v - axis * axis.dot(v)).normalized(); }
+Vec3 across(const Vec3& v, const Vec3& axis)
+{
+  return (v - axis * axis.dot(v)).normalized();
+}
 
 /// A plane as wide as the skull, from one edge to the other, both parallel to the patient's right.
-BoundedPlane plane_between(const std::string& name, const Vec3& right, const Vec3& from, const Vec3& to,
-                           double width_mm)
+BoundedPlane plane_between(const std::string& name, const Vec3& right, const Vec3& from,
+                           const Vec3& to, double width_mm)
 {
   BoundedPlane plane;
   plane.name = name;
@@ -54,9 +57,12 @@ BoundedPlane plane_between(const std::string& name, const Vec3& right, const Vec
   return plane;
 }
 
-/// As wide as the tooth-bearing maxilla, and no wider: the ramus and the coronoid process beside it stay
-/// whole.
-double maxilla_width(const Face& face) { return (face.at("U6_R") - face.at("U6_L")).norm() + 30; }
+/// As wide as the tooth-bearing maxilla, and no wider: the ramus and the coronoid process beside it
+/// stay whole.
+double maxilla_width(const Face& face)
+{
+  return (face.at("U6_R") - face.at("U6_L")).norm() + 30;
+}
 
 /// The planes behind and below the maxilla that Le Fort I and III share.
 /// \param back_top  where the upper cut ends behind
@@ -72,10 +78,10 @@ void part_maxilla_from_below(const Face& face, const Vec3& forward, const Vec3& 
   const Vec3 along_bite = across(face.at("U1") - molars, face.right);
   const double depth = (bite_front - back_top).dot(forward) / along_bite.dot(forward) + 3;
   const Vec3 bite_back = bite_front - depth * along_bite;
-  osteotomy.planes.push_back(
-      plane_between(osteotomy.fragment + " posterior", face.right, back_top + 3 * up, bite_back - 4 * up, back_width_mm));
-  osteotomy.planes.push_back(
-      plane_between(osteotomy.fragment + " occlusal", face.right, bite_front, bite_back, maxilla_width(face)));
+  osteotomy.planes.push_back(plane_between(osteotomy.fragment + " posterior", face.right,
+                                           back_top + 3 * up, bite_back - 4 * up, back_width_mm));
+  osteotomy.planes.push_back(plane_between(osteotomy.fragment + " occlusal", face.right, bite_front,
+                                           bite_back, maxilla_width(face)));
 }
 
 Osteotomy le_fort_1(const Face& face)
@@ -86,7 +92,8 @@ Osteotomy le_fort_1(const Face& face)
   const Vec3 front = face.at("ANS") + 20 * forward + 5 * up;
   const Vec3 back = face.at("PNS") - 4 * forward + 5 * up;
   osteotomy.fragment = "maxilla";
-  osteotomy.planes.push_back(plane_between("maxilla upper", face.right, front, back - 3 * forward, 130));
+  osteotomy.planes.push_back(
+      plane_between("maxilla upper", face.right, front, back - 3 * forward, 130));
   part_maxilla_from_below(face, forward, back, maxilla_width(face), osteotomy);
   osteotomy.fragment_point = face.at("ANS") - 5 * forward - 3 * up;
   return osteotomy;
@@ -116,8 +123,8 @@ Osteotomy genioplasty(const Face& face)
   const Vec3 border = face.at("Me") + 0.45 * (gonion - face.at("Me"));
   const Vec3 backward = across(border - below_b, face.right);
   osteotomy.fragment = "chin";
-  osteotomy.planes.push_back(plane_between("chin", face.right, below_b - 20 * backward,
-                                           border + 12 * backward, 100));
+  osteotomy.planes.push_back(
+      plane_between("chin", face.right, below_b - 20 * backward, border + 12 * backward, 100));
   osteotomy.fragment_point = face.at("Pg");
   return osteotomy;
 }

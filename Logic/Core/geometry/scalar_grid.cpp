@@ -19,7 +19,9 @@ double ScalarGrid::value(const Vec3& point_ras) const
   }
   const int dx = size[0] > 1, dy = size[1] > 1, dz = size[2] > 1;
   auto at = [&](int i, int j, int k)
-  { return static_cast<double>(values[index(base[0] + i * dx, base[1] + j * dy, base[2] + k * dz)]); };
+  {
+    return static_cast<double>(values[index(base[0] + i * dx, base[1] + j * dy, base[2] + k * dz)]);
+  };
   auto along_x = [&](int j, int k) { return at(0, j, k) * (1 - f[0]) + at(1, j, k) * f[0]; };
   auto along_y = [&](int k) { return along_x(0, k) * (1 - f[1]) + along_x(1, k) * f[1]; };
   return along_y(0) * (1 - f[2]) + along_y(1) * f[2];

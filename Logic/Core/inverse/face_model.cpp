@@ -15,7 +15,8 @@ std::vector<char> held_nodes(const MixedMesh& mesh, Held held)
   return flags;
 }
 
-std::vector<Vec3> with_fragments_moved(const MixedMesh& mesh, const std::vector<RigidMotion>& motions)
+std::vector<Vec3> with_fragments_moved(const MixedMesh& mesh,
+                                       const std::vector<RigidMotion>& motions)
 {
   std::vector<Vec3> x = mesh.X;
   for (std::size_t n = 0; n < x.size(); ++n)

@@ -15,8 +15,8 @@ struct FaceModel
   const MixedMesh& mesh;
   const MaterialSet& materials;
   const SkinMap& skin_map;
-  std::vector<double> skin_area;        ///< per reference-skin vertex, 0 where it does not count [mm^2]
-  std::vector<Vec3> reference_points;   ///< per fragment, that its movement is told about [mm]
+  std::vector<double> skin_area; ///< per reference-skin vertex, 0 where it does not count [mm^2]
+  std::vector<Vec3> reference_points; ///< per fragment, that its movement is told about [mm]
 };
 
 /// What the face should become: a displacement and a weight per reference-skin vertex.
@@ -35,7 +35,8 @@ enum class Held
 std::vector<char> held_nodes(const MixedMesh& mesh, Held held);
 
 /// Positions of all nodes with each fragment's nodes moved rigidly and the others at rest.
-std::vector<Vec3> with_fragments_moved(const MixedMesh& mesh, const std::vector<RigidMotion>& motions);
+std::vector<Vec3> with_fragments_moved(const MixedMesh& mesh,
+                                       const std::vector<RigidMotion>& motions);
 
 /// Rest motions, one per fragment, about the model's reference points.
 std::vector<RigidMotion> rest_motions(const FaceModel& face);

@@ -64,7 +64,8 @@ double Fit::objective(const std::vector<Vec3>& x) const
   return sum;
 }
 
-/// Rigid velocity fields of one fragment about its moved reference point: omega_x,y,z, then v_x,y,z.
+/// Rigid velocity fields of one fragment about its moved reference point: omega_x,y,z, then
+/// v_x,y,z.
 std::vector<Vec3> unit_motion(const MixedMesh& mesh, const std::vector<Vec3>& x, int fragment,
                               const Vec3& center, int parameter)
 {

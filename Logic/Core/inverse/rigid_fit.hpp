@@ -19,7 +19,7 @@ enum class RigidFitTermination
   Converged,
   NoFurtherDescent, ///< no damped step lowers the objective: the best reachable state
   MaxIterations,
-  EquilibriumLost,  ///< the tissue could not follow even a heavily damped first step
+  EquilibriumLost, ///< the tissue could not follow even a heavily damped first step
 };
 
 struct RigidFitIteration
@@ -36,7 +36,7 @@ struct RigidFitResult
   std::vector<Vec3> x;                 ///< equilibrium of the mesh at these motions [mm]
   std::vector<Vec3> skin_displacement; ///< of the reference skin [mm]
   std::vector<RigidFitIteration> iterations;
-  EquilibriumSummary equilibrium;      ///< all solves together
+  EquilibriumSummary equilibrium; ///< all solves together
 };
 
 /// Levenberg-Marquardt on SE(3) per fragment: minimises the weighted squared distance of the

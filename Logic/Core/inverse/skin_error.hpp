@@ -11,9 +11,9 @@ struct SkinError
 {
   double mean = 0, sd = 0, variance = 0; ///< of the absolute distance
   double median = 0, p90 = 0, p95 = 0, max = 0;
-  double under_1mm = 0, under_2mm = 0;   ///< shares of the area, in [0, 1]
-  double signed_mean = 0;                ///< negative: predicted lies behind the target
-  double area_mm2 = 0;                   ///< of the skin that counts
+  double under_1mm = 0, under_2mm = 0; ///< shares of the area, in [0, 1]
+  double signed_mean = 0;              ///< negative: predicted lies behind the target
+  double area_mm2 = 0;                 ///< of the skin that counts
 };
 
 /// Distance at every vertex, negative where the predicted skin lies behind the target's [mm].

@@ -25,7 +25,8 @@ std::vector<RigidMotion> register_contacts(const FaceModel& face, const std::vec
     if (from.size() < 3)
       throw Error("fragment '" + face.mesh.fragments[f] + "'",
                   "has " + std::to_string(from.size()) + " soft-tissue contact nodes, 3 are needed",
-                  "use a smaller release margin, a denser mesh or another cut", ErrorKind::Numerical);
+                  "use a smaller release margin, a denser mesh or another cut",
+                  ErrorKind::Numerical);
     motions.push_back(register_rigidly(from, to, face.reference_points[f]));
   }
   return motions;

@@ -15,14 +15,14 @@ using Mat9 = Eigen::Matrix<double, 9, 9>;
 ///
 ///   psi = c1 (I1b - 3) + c2 (I1b - 3)^2 + c3 (I1b - 3)^3 + K/4 (J^2 - 1 - 2 ln J)
 ///
-/// with I1b = J^(-2/3) tr(F^T F). With c1 > 0 and c2, c3 >= 0 it is polyconvex; the volumetric term is
-/// a barrier at J = 0. Neo-Hookean for c2 = c3 = 0. Reference: O. H. Yeoh, Rubber Chem. Technol. 66
-/// (1993) 754. Small-strain shear modulus 2 c1, bulk modulus K.
+/// with I1b = J^(-2/3) tr(F^T F). With c1 > 0 and c2, c3 >= 0 it is polyconvex; the volumetric term
+/// is a barrier at J = 0. Neo-Hookean for c2 = c3 = 0. Reference: O. H. Yeoh, Rubber Chem. Technol.
+/// 66 (1993) 754. Small-strain shear modulus 2 c1, bulk modulus K.
 struct Yeoh
 {
-  double c1 = 0; ///< > 0 [MPa]
-  double c2 = 0; ///< [MPa]
-  double c3 = 0; ///< [MPa]
+  double c1 = 0;           ///< > 0 [MPa]
+  double c2 = 0;           ///< [MPa]
+  double c3 = 0;           ///< [MPa]
   double bulk_modulus = 0; ///< K [MPa]
 
   double shear_modulus() const { return 2 * c1; }
@@ -64,8 +64,8 @@ struct Yeoh
     tangent.diagonal().array() += t.slope * 2 * scale;
     const Mat9 cross = f * g.transpose();
     tangent -= t.slope * scale * (4.0 / 3.0) * (cross + cross.transpose());
-    tangent += (t.slope * scale * (4.0 / 9.0) * t.I1 + bulk_modulus * t.J * t.J) *
-               (g * g.transpose());
+    tangent +=
+        (t.slope * scale * (4.0 / 9.0) * t.I1 + bulk_modulus * t.J * t.J) * (g * g.transpose());
     // d(F^-T) = -F^-T dF^T F^-T, from both the isochoric and the volumetric part
     const double twist = t.slope * scale * (2.0 / 3.0) * t.I1 - t.pressure_J;
     for (int l = 0; l < 3; ++l)

@@ -15,12 +15,15 @@ unsigned char nearest_bone(const LabelGrid& labels, const Vec3& point_ras)
   const Vec3 p = (point_ras - labels.origin) / labels.spacing;
   double nearest = std::numeric_limits<double>::infinity();
   unsigned char found = BonePartition::uncut;
-  const Eigen::Vector3i base(static_cast<int>(std::lround(p.x())), static_cast<int>(std::lround(p.y())),
+  const Eigen::Vector3i base(static_cast<int>(std::lround(p.x())),
+                             static_cast<int>(std::lround(p.y())),
                              static_cast<int>(std::lround(p.z())));
-  for (int k = std::max(0, base.z() - reach); k <= std::min(labels.size.z() - 1, base.z() + reach); ++k)
-    for (int j = std::max(0, base.y() - reach); j <= std::min(labels.size.y() - 1, base.y() + reach); ++j)
-      for (int i = std::max(0, base.x() - reach); i <= std::min(labels.size.x() - 1, base.x() + reach);
-           ++i)
+  for (int k = std::max(0, base.z() - reach); k <= std::min(labels.size.z() - 1, base.z() + reach);
+       ++k)
+    for (int j = std::max(0, base.y() - reach);
+         j <= std::min(labels.size.y() - 1, base.y() + reach); ++j)
+      for (int i = std::max(0, base.x() - reach);
+           i <= std::min(labels.size.x() - 1, base.x() + reach); ++i)
       {
         const unsigned char label = labels.values[labels.index(i, j, k)];
         const double distance = (Vec3(i, j, k) - p).squaredNorm();
@@ -45,9 +48,76 @@ bool near_a_cut(const Vec3& point, const BonePartition& partition, double margin
   return false;
 }
 
+/// What a prescribed node moves with: -1 bone that stays (and the crop walls), else a fragment.
+/// Nodes that are not prescribed move with nothing.
+constexpr int nothing = -2;
+int body_of(const MixedMesh& mesh, std::size_t node)
+{
+  switch (mesh.node_boundary[node])
+  {
+  case Boundary::Fragment:
+    return mesh.node_fragment[node];
+  case Boundary::FixedBone:
+  case Boundary::Crop:
+    return -1;
+  default:
+    return nothing;
+  }
+}
+
+/// Marks the contact nodes of elements that hang on two bodies.
+template <std::size_t N>
+void mark_torn(const MixedMesh& mesh, const std::vector<std::array<int, N>>& elements,
+               std::vector<char>& torn)
+{
+  for (const auto& corners : elements)
+  {
+    int first = nothing;
+    bool two = false;
+    for (const int corner : corners)
+    {
+      const int body = body_of(mesh, static_cast<std::size_t>(corner));
+      two = two || (body != nothing && first != nothing && body != first);
+      first = body != nothing ? body : first;
+    }
+    if (two)
+      for (const int corner : corners)
+        torn[static_cast<std::size_t>(corner)] = 1;
+  }
+}
+
+/// Frees contact nodes where one element hangs on two bodies that move apart: with all its corners
+/// prescribed it would be inverted whatever the tissue around it does. Returns how many.
+int release_torn_elements(MixedMesh& mesh)
+{
+  std::vector<char> torn(mesh.X.size(), 0);
+  mark_torn(mesh, mesh.tets, torn);
+  mark_torn(mesh, mesh.prisms, torn);
+  int released = 0;
+  for (std::size_t n = 0; n < torn.size(); ++n)
+    if (torn[n] && (mesh.node_boundary[n] == Boundary::FixedBone ||
+                    mesh.node_boundary[n] == Boundary::Fragment))
+    {
+      mesh.node_boundary[n] = Boundary::Free;
+      mesh.node_fragment[n] = -1;
+      ++released;
+    }
+  return released;
+}
+
+void count_contacts(const MixedMesh& mesh, ContactReport& report)
+{
+  for (std::size_t n = 0; n < mesh.X.size(); ++n)
+    if (mesh.node_boundary[n] == Boundary::Fragment)
+      ++report.fragments[static_cast<std::size_t>(mesh.node_fragment[n])];
+    else if (mesh.node_boundary[n] == Boundary::FixedBone)
+      ++report.fixed;
+}
+
 } // namespace
 
-ContactReport assign_contacts(MixedMesh& mesh, const BonePartition& partition, double release_margin_mm)
+ContactReport assign_contacts(MixedMesh& mesh, const BonePartition& partition,
+                              double release_margin_mm)
 {
   ContactReport report;
   report.fragments.assign(partition.osteotomies.size(), 0);
@@ -69,11 +139,10 @@ ContactReport assign_contacts(MixedMesh& mesh, const BonePartition& partition, d
     {
       mesh.node_boundary[n] = Boundary::Fragment;
       mesh.node_fragment[n] = label - BonePartition::first_fragment;
-      ++report.fragments[label - BonePartition::first_fragment];
     }
-    else
-      ++report.fixed;
   }
+  report.released_between = release_torn_elements(mesh);
+  count_contacts(mesh, report);
   for (std::size_t f = 0; f < report.fragments.size(); ++f)
     if (report.fragments[f] < 3)
       throw Error("fragment '" + mesh.fragments[f] + "'",

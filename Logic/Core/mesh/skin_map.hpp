@@ -9,8 +9,8 @@ namespace f2b
 /// Place of one reference-skin vertex on the prisms' top faces.
 struct SkinPlace
 {
-  int prism = -1;                   ///< -1: the vertex has no finite-element skin near it
-  Vec3 weights = Vec3::Zero();      ///< area coordinates on corners 0-2 of the prism, sum 1
+  int prism = -1;              ///< -1: the vertex has no finite-element skin near it
+  Vec3 weights = Vec3::Zero(); ///< area coordinates on corners 0-2 of the prism, sum 1
 };
 
 /// One place per reference-skin vertex; interpolates nodal fields to the reference skin.

@@ -8,8 +8,8 @@ namespace f2b
 
 struct TissueStretch
 {
-  double p99 = 1;            ///< 99 % of the tissue's volume is stretched by no more than this factor
-  double max = 1;            ///< largest principal stretch of a tetrahedron
+  double p99 = 1; ///< 99 % of the tissue's volume is stretched by no more than this factor
+  double max = 1; ///< largest principal stretch of a tetrahedron
   Vec3 where = Vec3::Zero(); ///< its rest centroid [mm, RAS]
 };
 

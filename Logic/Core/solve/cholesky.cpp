@@ -99,6 +99,9 @@ Eigen::MatrixXd Cholesky::solve(const Eigen::MatrixXd& right_hand_sides) const
   return solution;
 }
 
-double Cholesky::factor_nonzeros() const { return m_factor->common.lnz; }
+double Cholesky::factor_nonzeros() const
+{
+  return m_factor->common.lnz;
+}
 
 } // namespace f2b

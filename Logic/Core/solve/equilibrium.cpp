@@ -43,19 +43,25 @@ void EquilibriumSolver::factorize(EquilibriumSummary& summary)
   if (m_cholesky.factorize(m_model.stiffness()))
     return;
   SymmetricMatrix shifted = m_model.stiffness();
-  double shift = 0;
+  auto diagonal = [&](long c) -> double&
+  {
+    return shifted
+        .value[static_cast<std::size_t>(shifted.column_start[static_cast<std::size_t>(c)])];
+  };
+  double largest = 0;
   for (long c = 0; c < shifted.size; ++c)
-    shift = std::max(shift, std::abs(shifted.value[static_cast<std::size_t>(
-                                shifted.column_start[static_cast<std::size_t>(c)])]));
-  shift *= 1e-4;
-  for (bool done = false; !done; shift *= 10)
+    largest = std::max(largest, std::abs(diagonal(c)));
+  double added = 0;
+  for (double shift = std::max(1e-4 * largest, 0.2 * m_shift);; shift *= 5)
   {
     for (long c = 0; c < shifted.size; ++c)
-      shifted.value[static_cast<std::size_t>(shifted.column_start[static_cast<std::size_t>(c)])] +=
-          shift;
+      diagonal(c) += shift - added;
+    added = shift;
     ++summary.factorizations;
-    done = m_cholesky.factorize(shifted);
+    if (m_cholesky.factorize(shifted))
+      break;
   }
+  m_shift = added;
 }
 
 /// Takes the longest of the steps 1, 1/2, 1/4, ... that is admissible.
@@ -112,7 +118,8 @@ Eigen::VectorXd EquilibriumSolver::newton_step(const Eigen::VectorXd& forces,
   return -m_cholesky.solve(forces);
 }
 
-/// First guess after a share of the way to the target, by the current tangent; the factor is current.
+/// First guess after a share of the way to the target, by the current tangent; the factor is
+/// current.
 std::vector<Vec3> EquilibriumSolver::predict(const std::vector<Vec3>& x,
                                              const std::vector<Vec3>& target, double share)
 {
@@ -169,7 +176,8 @@ EquilibriumSummary EquilibriumSolver::move_to(std::vector<Vec3>& x, const std::v
       continue;
     }
     step /= 2;
-    if (step < m_options.smallest_load_step)
+    if (step < m_options.smallest_load_step ||
+        summary.newton_iterations > m_options.max_total_iterations)
     {
       summary.termination = Termination::LoadStepTooSmall;
       return summary;
@@ -184,8 +192,8 @@ EquilibriumSummary EquilibriumSolver::move_to(std::vector<Vec3>& x, const std::v
   return summary;
 }
 
-std::vector<std::vector<Vec3>> EquilibriumSolver::respond(
-    const std::vector<std::vector<Vec3>>& motions)
+std::vector<std::vector<Vec3>>
+EquilibriumSolver::respond(const std::vector<std::vector<Vec3>>& motions)
 {
   Eigen::MatrixXd loads(m_model.unknown_count(), static_cast<Eigen::Index>(motions.size()));
   for (std::size_t m = 0; m < motions.size(); ++m)

@@ -12,15 +12,17 @@ namespace f2b
 
 struct EquilibriumOptions
 {
-  int max_newton_iterations = 40;  ///< in one load step
+  int max_newton_iterations = 25;  ///< in one load step
   double step_tolerance_mm = 1e-8; ///< converged when the largest Newton step is below [mm]
-  double smallest_load_step = 1.0 / 256;
+  double smallest_load_step = 1.0 / 64;
+  int max_total_iterations = 120; ///< of one move, over all its load steps: then it is given up
 };
 
 enum class Termination
 {
   Converged,
-  LoadStepTooSmall, ///< no admissible state was found even for the smallest load step
+  LoadStepTooSmall, ///< no admissible state was found even for the smallest load step, or within
+                    ///< the iterations that one move is given
 };
 
 /// What a solve did.
@@ -54,8 +56,8 @@ public:
   /// \param target  position of every prescribed node; those of unknown nodes are not used [mm]
   [[nodiscard]] EquilibriumSummary move_to(std::vector<Vec3>& x, const std::vector<Vec3>& target);
 
-  /// Brings the unknown nodes to equilibrium with the prescribed nodes where they are; also after the
-  /// model's springs have changed.
+  /// Brings the unknown nodes to equilibrium with the prescribed nodes where they are; also after
+  /// the model's springs have changed.
   [[nodiscard]] EquilibriumSummary relax(std::vector<Vec3>& x);
 
   /// Motions of the unknown nodes that follow small motions of prescribed nodes, by the tangent of
@@ -70,15 +72,19 @@ public:
 private:
   bool newton(std::vector<Vec3>& x, EquilibriumSummary& summary);
   Eigen::VectorXd newton_step(const Eigen::VectorXd& forces, EquilibriumSummary& summary);
-  bool line_search(std::vector<Vec3>& x, const Eigen::VectorXd& forces, const Eigen::VectorXd& step);
-  std::vector<Vec3> moved(const std::vector<Vec3>& x, const Eigen::VectorXd& step, double scale) const;
-  std::vector<Vec3> predict(const std::vector<Vec3>& x, const std::vector<Vec3>& target, double share);
+  bool line_search(std::vector<Vec3>& x, const Eigen::VectorXd& forces,
+                   const Eigen::VectorXd& step);
+  std::vector<Vec3> moved(const std::vector<Vec3>& x, const Eigen::VectorXd& step,
+                          double scale) const;
+  std::vector<Vec3> predict(const std::vector<Vec3>& x, const std::vector<Vec3>& target,
+                            double share);
   void factorize(EquilibriumSummary& summary);
 
   ElasticModel& m_model;
   EquilibriumOptions m_options;
   Cholesky m_cholesky;
   std::function<void(double)> m_progress;
+  double m_shift = 0; ///< that made the last indefinite tangent positive definite
   bool m_analyzed = false;
   bool m_factor_is_current = false; ///< of the tangent at the state that the last solve returned
 };

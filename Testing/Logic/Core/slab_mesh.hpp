@@ -8,8 +8,8 @@ namespace f2b::testing
 
 struct SlabOptions
 {
-  int cells = 6;               ///< along R and A
-  int layers = 2;              ///< of tissue, along S
+  int cells = 6;  ///< along R and A
+  int layers = 2; ///< of tissue, along S
   double size_mm = 60;
   double tissue_mm = 12;
   double skin_mm = 1.5;
@@ -40,12 +40,12 @@ inline MixedMesh make_slab(const SlabOptions& o)
         const bool released =
             k == 0 && !fragment &&
             std::max(std::abs(r), std::abs(a)) < 0.5 * o.fragment_share * o.size_mm + 11;
-        mesh.node_boundary.push_back(wall                 ? Boundary::Crop
-                                     : fragment           ? Boundary::Fragment
-                                     : released           ? Boundary::Free
-                                     : k == 0             ? Boundary::FixedBone
-                                     : k == levels - 1    ? Boundary::Skin
-                                                          : Boundary::Interior);
+        mesh.node_boundary.push_back(wall              ? Boundary::Crop
+                                     : fragment        ? Boundary::Fragment
+                                     : released        ? Boundary::Free
+                                     : k == 0          ? Boundary::FixedBone
+                                     : k == levels - 1 ? Boundary::Skin
+                                                       : Boundary::Interior);
         mesh.node_fragment.push_back(!wall && fragment ? 0 : -1);
       }
   mesh.fragments = {"block"};
@@ -73,7 +73,8 @@ inline MixedMesh make_slab(const SlabOptions& o)
     for (int i = 0; i < o.cells; ++i)
     {
       // the same diagonal as the tetrahedra's top faces
-      const int c[2][3][2] = {{{i, j}, {i + 1, j}, {i + 1, j + 1}}, {{i, j}, {i + 1, j + 1}, {i, j + 1}}};
+      const int c[2][3][2] = {{{i, j}, {i + 1, j}, {i + 1, j + 1}},
+                              {{i, j}, {i + 1, j + 1}, {i, j + 1}}};
       for (const auto& f : c)
         mesh.prisms.push_back({id(f[0][0], f[0][1], top), id(f[1][0], f[1][1], top),
                                id(f[2][0], f[2][1], top), id(f[0][0], f[0][1], bottom),

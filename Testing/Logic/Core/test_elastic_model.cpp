@@ -42,8 +42,10 @@ TEST(ElasticModel, ForcesAndStiffnessAreDerivatives)
   Eigen::MatrixXd K = Eigen::MatrixXd::Zero(model.unknown_count(), model.unknown_count());
   const SymmetricMatrix& sparse = model.stiffness();
   for (long c = 0; c < sparse.size; ++c)
-    for (long i = sparse.column_start[std::size_t(c)]; i < sparse.column_start[std::size_t(c) + 1]; ++i)
-      K(sparse.row[std::size_t(i)], c) = K(c, sparse.row[std::size_t(i)]) = sparse.value[std::size_t(i)];
+    for (long i = sparse.column_start[std::size_t(c)]; i < sparse.column_start[std::size_t(c) + 1];
+         ++i)
+      K(sparse.row[std::size_t(i)], c) = K(c, sparse.row[std::size_t(i)]) =
+          sparse.value[std::size_t(i)];
 
   const double h = 1e-5;
   for (long u = 0; u < model.unknown_count(); ++u)
@@ -52,7 +54,8 @@ TEST(ElasticModel, ForcesAndStiffnessAreDerivatives)
     const auto node = std::size_t(model.unknown_nodes()[std::size_t(u / 3)]);
     plus[node][u % 3] += h;
     minus[node][u % 3] -= h;
-    EXPECT_NEAR(forces[u], (model.energy(plus) - model.energy(minus)) / (2 * h), 1e-7 * forces.norm());
+    EXPECT_NEAR(forces[u], (model.energy(plus) - model.energy(minus)) / (2 * h),
+                1e-7 * forces.norm());
     const Eigen::VectorXd column = (model.forces(plus) - model.forces(minus)) / (2 * h);
     EXPECT_LT((column - K.col(u)).norm(), 1e-7 * K.norm());
   }

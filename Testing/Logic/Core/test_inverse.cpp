@@ -82,8 +82,9 @@ TEST(RigidFit, TheRestFaceAsTargetGivesNoMovement)
 {
   const Slab slab;
   const std::size_t n = slab.map.places.size();
-  const RigidFitResult fit = fit_fragments(
-      slab.face, {std::vector<Vec3>(n, Vec3::Zero()), std::vector<double>(n, 1.0)}, {}, no_progress);
+  const RigidFitResult fit =
+      fit_fragments(slab.face, {std::vector<Vec3>(n, Vec3::Zero()), std::vector<double>(n, 1.0)},
+                    {}, no_progress);
   EXPECT_EQ(fit.termination, RigidFitTermination::Converged);
   EXPECT_LT(fit.motions[0].translation.norm(), 1e-9);
 }
@@ -105,7 +106,8 @@ TEST(VirtualForce, IsBiasedTowardsTooLittleMovementAsTheDesignSays)
   const VirtualForceResult dragged = drag_skin(slab.face, slab.target_of(truth), {}, no_progress);
   EXPECT_DOUBLE_EQ(dragged.equilibrium.load_reached, 1);
   const Vec3 found = dragged.motions[0].translation;
-  std::printf("virtual-force finds (%.2f %.2f %.2f) for (2 -5 3)\n", found.x(), found.y(), found.z());
+  std::printf("virtual-force finds (%.2f %.2f %.2f) for (2 -5 3)\n", found.x(), found.y(),
+              found.z());
   EXPECT_GT(found.dot(truth.translation), 0); // eq. 8 with its direction turned round
   EXPECT_LT(found.norm(), truth.translation.norm());
 }
@@ -145,7 +147,8 @@ TEST(SkinError, WeighsByAreaAndSignsByTheNormal)
   EXPECT_DOUBLE_EQ(e.under_1mm, 0.25);
   EXPECT_DOUBLE_EQ(e.under_2mm, 0.75);
   EXPECT_NEAR(e.sd * e.sd, e.variance, 1e-15);
-  const auto s = signed_distances({{0, 0, -1}, {0, 0, 2}}, {{0, 0, 0}, {0, 0, 0}}, {{0, 0, 1}, {0, 0, 1}});
+  const auto s =
+      signed_distances({{0, 0, -1}, {0, 0, 2}}, {{0, 0, 0}, {0, 0, 0}}, {{0, 0, 1}, {0, 0, 1}});
   EXPECT_DOUBLE_EQ(s[0], -1);
   EXPECT_DOUBLE_EQ(s[1], 2);
 }

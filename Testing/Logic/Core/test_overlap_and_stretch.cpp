@@ -25,7 +25,8 @@ struct CutBar
         for (int i = 0; i < 41; ++i)
         {
           const Vec3 p = bone.position(i, j, k);
-          const double inside = std::max({std::abs(p.x()) - 10.5, std::abs(p.y()) - 10.5, std::abs(p.z()) - 20.5});
+          const double inside =
+              std::max({std::abs(p.x()) - 10.5, std::abs(p.y()) - 10.5, std::abs(p.z()) - 20.5});
           bone.values[bone.index(i, j, k)] = float(inside);
           if (inside < 0)
             labels.values[bone.index(i, j, k)] =

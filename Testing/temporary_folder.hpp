@@ -1,0 +1,48 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+namespace f2b::test
+{
+
+/// A folder of the running test's own, with a space and an umlaut in its name; gone afterwards.
+class TemporaryFolder
+{
+public:
+  TemporaryFolder()
+  {
+    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
+    m_path = std::filesystem::temp_directory_path() /
+             (std::string("f2b gesicht ü ") + test->test_suite_name() + "." + test->name());
+    std::filesystem::remove_all(m_path);
+    std::filesystem::create_directories(m_path);
+  }
+  ~TemporaryFolder() { std::filesystem::remove_all(m_path); }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  std::filesystem::path operator/(const std::string& name) const { return m_path / name; }
+  const std::filesystem::path& path() const { return m_path; }
+
+  std::filesystem::path write(const std::string& name, const std::string& bytes) const
+  {
+    std::filesystem::create_directories((m_path / name).parent_path());
+    std::ofstream(m_path / name, std::ios::binary) << bytes;
+    return m_path / name;
+  }
+
+private:
+  std::filesystem::path m_path;
+};
+
+inline std::string read_text(const std::filesystem::path& file)
+{
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+} // namespace f2b::test
