@@ -10,6 +10,7 @@
 #include <vtkFieldData.h>
 #include <vtkNew.h>
 #include <vtkPLYReader.h>
+#include <vtkPLYWriter.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyDataReader.h>
@@ -268,20 +269,45 @@ vtkSmartPointer<vtkPolyData> read_surface(const std::filesystem::path& path)
   return surface;
 }
 
-void write_surface(const std::filesystem::path& path, vtkPolyData* surface)
+namespace
 {
-  vtkSmartPointer<vtkPolyData> in_file = flipped(surface);
+
+void write_vtp(const std::filesystem::path& path, vtkPolyData* in_lps)
+{
   vtkNew<vtkStringArray> space;
   space->SetName(space_key);
   space->InsertNextValue("LPS");
-  in_file->GetFieldData()->AddArray(space);
+  in_lps->GetFieldData()->AddArray(space);
   const VtkMessages messages;
   vtkNew<vtkXMLPolyDataWriter> writer;
   writer->SetFileName(path.c_str());
-  writer->SetInputData(in_file);
+  writer->SetInputData(in_lps);
   if (!writer->Write() || writer->GetErrorCode() != 0 || messages.error())
     throw Error(path.string(), "it cannot be written",
                 "check the folder's permissions and free space");
+}
+
+void write_ply(const std::filesystem::path& path, vtkPolyData* in_lps)
+{
+  const VtkMessages messages;
+  vtkNew<vtkPLYWriter> writer;
+  writer->SetFileName(path.c_str());
+  writer->SetInputData(in_lps);
+  writer->AddComment("SPACE=LPS");
+  if (!writer->Write() || writer->GetErrorCode() != 0 || messages.error())
+    throw Error(path.string(), "it cannot be written",
+                "check the folder's permissions and free space");
+}
+
+} // namespace
+
+void write_surface(const std::filesystem::path& path, vtkPolyData* surface)
+{
+  const vtkSmartPointer<vtkPolyData> in_lps = flipped(surface);
+  if (path.extension() == ".ply")
+    write_ply(path, in_lps);
+  else
+    write_vtp(path, in_lps);
 }
 
 } // namespace f2b

@@ -29,7 +29,8 @@ std::vector<Vec3> point_vectors(vtkPolyData* surface, const std::string& name);
 /// LPS. Vector point arrays are in RAS. Throws Error on unreadable files, files without triangles,
 /// non-finite points.
 vtkSmartPointer<vtkPolyData> read_surface(const std::filesystem::path& path);
-/// Writes .vtp in LPS and says so in the file; positions and vectors in double precision.
+/// Writes .vtp, or .ply for programs that sculpt, in LPS, and says so in the file. A .vtp keeps
+/// arrays and double precision; a .ply holds positions in single precision and triangles.
 void write_surface(const std::filesystem::path& path, vtkPolyData* surface);
 
 } // namespace f2b

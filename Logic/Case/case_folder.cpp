@@ -256,6 +256,7 @@ const std::vector<std::string>& case_file_names()
                                                  "bone_distance.nrrd",
                                                  "closed_bone_distance.nrrd",
                                                  "skin.vtp",
+                                                 "skin.ply",
                                                  "bone.vtp",
                                                  "landmarks.mrk.json",
                                                  "cut.json",

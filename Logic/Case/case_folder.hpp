@@ -12,15 +12,14 @@ using Path = std::filesystem::path;
 
 /// A folder of standard files that holds one case. Names of its files:
 ///
-/// | step    | files                                                                            |
-/// |---------|----------------------------------------------------------------------------------|
-/// | segment | case.json segment.json ct.nrrd labels.nrrd {skin,bone,closed_bone}_distance.nrrd
-/// skin.vtp bone.vtp landmarks.mrk.json | | cut     | cut.json cuts.mrk.json bone_parts.nrrd
-/// uncut_bone.vtp fragment_NAME.vtp          | | mesh    | mesh.json mesh.vtu | | target  |
-/// target.json target.vtp                                                           | | plan    |
-/// plan.json plan_METHOD.vtu predicted_METHOD.vtp NAME_METHOD.{tfm,h5,vtp}          | | predict |
-/// predict.json predicted.vtp predicted.vtu NAME_moved.vtp                          | | report  |
-/// report.html pictures/                                                            |
+/// - segment: case.json segment.json ct.nrrd labels.nrrd {skin,bone,closed_bone}_distance.nrrd
+///   skin.vtp skin.ply bone.vtp landmarks.mrk.json
+/// - cut: cut.json cuts.mrk.json bone_parts.nrrd uncut_bone.vtp fragment_NAME.vtp
+/// - mesh: mesh.json mesh.vtu
+/// - target: target.json target.vtp
+/// - plan: plan.json plan_METHOD.vtu predicted_METHOD.vtp NAME_METHOD.{tfm,h5,vtp}
+/// - predict: predict.json predicted.vtp predicted.vtu NAME_moved.vtp
+/// - report: report.html pictures/
 ///
 /// One process works on a case at a time: the folder is locked while it is open.
 class CaseFolder
@@ -79,8 +78,8 @@ public:
   Path folder() const { return m_staging; }
   /// Puts the new files in place (Error if one of the user's own is in the way) and removes what an
   /// earlier run of this step made, and the results of later steps that rest on it: stale results
-  /// are never shown as current. \param step  a step of the table above; a change that holds a
-  /// whole case is a new `segment`
+  /// are never shown as current.
+  /// \param step  a step of the list above; a change that holds a whole case is a new `segment`
   void commit(const std::string& step);
 
 private:

@@ -115,6 +115,7 @@ void segment_case(CaseSession& session)
   write_grid(change.file("bone_distance.nrrd"), head.bone);
   write_grid(change.file("closed_bone_distance.nrrd"), head.closed_bone);
   write_surface(change.file("skin.vtp"), skin);
+  write_surface(change.file("skin.ply"), skin);
   write_surface(change.file("bone.vtp"), bone);
   if (!session.settings.landmarks.empty())
     write_landmarks(change.file("landmarks.mrk.json"), read_landmarks(session.settings.landmarks));

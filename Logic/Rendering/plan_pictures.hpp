@@ -29,8 +29,9 @@ struct PictureOptions
 
 /// Draws everything that the plan has: pictures of a missing target or prediction are left out.
 /// Starts and stops a display of its own where none is there. Each file appears whole or not at
-/// all. \param folder  must exist \throws f2b::Error on unfit surfaces, no display, or when a file
-/// cannot be written
+/// all.
+/// \param folder  must exist
+/// \throws f2b::Error on unfit surfaces, no display, or when a file cannot be written
 std::vector<WrittenPicture> write_plan_pictures(const PlanPictures& pictures,
                                                 const std::filesystem::path& folder,
                                                 const PictureOptions& options = {});

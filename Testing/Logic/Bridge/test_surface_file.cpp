@@ -55,6 +55,18 @@ TEST(SurfaceFile, VtpComesBackExactlyWithItsArrays)
   EXPECT_EQ(points_of(surface), mesh.points) << "writing changes nothing in memory";
 }
 
+TEST(SurfaceFile, PlyForSculptingComesBackWithTheSameVerticesInOrder)
+{
+  const TemporaryFolder folder;
+  const TriangleMesh mesh = tetrahedron();
+  write_surface(folder / "s.ply", to_polydata(mesh));
+  const TriangleMesh read = to_triangle_mesh(read_surface(folder / "s.ply"));
+  ASSERT_EQ(read.points.size(), mesh.points.size());
+  for (std::size_t v = 0; v < mesh.points.size(); ++v)
+    EXPECT_LT((read.points[v] - mesh.points[v]).norm(), 1e-5);
+  EXPECT_EQ(read.triangles, mesh.triangles);
+}
+
 TEST(SurfaceFile, VtpIsInLpsAndSaysSo)
 {
   const TemporaryFolder folder;
