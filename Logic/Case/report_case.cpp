@@ -171,8 +171,10 @@ void report_case(CaseSession& session)
   session.progress("drawing pictures", 0.1);
   CaseChange change(session.folder);
   const Path picture_folder = change.file("pictures/x").parent_path();
+  PictureOptions options;
+  options.singles = false; // the comparisons show every one of them
   ReportContent content;
-  for (const WrittenPicture& p : write_plan_pictures(plan_pictures(folder, plan), picture_folder))
+  for (const WrittenPicture& p : write_plan_pictures(plan_pictures(folder, plan), picture_folder, options))
     if (p.belongs_in_report)
       content.pictures.push_back({p.title, p.caption, p.path});
 
