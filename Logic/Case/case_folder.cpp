@@ -231,21 +231,6 @@ void CaseFolder::require_replaceable(const std::vector<std::string>& names,
   }
 }
 
-std::vector<std::string> CaseFolder::matching(const std::string& begin,
-                                              const std::string& end) const
-{
-  std::vector<std::string> names;
-  for (const auto& entry : fs::directory_iterator(m_folder))
-  {
-    const std::string name = entry.path().filename().string();
-    if (name.size() >= begin.size() + end.size() && name.compare(0, begin.size(), begin) == 0 &&
-        name.compare(name.size() - end.size(), end.size(), end) == 0)
-      names.push_back(name);
-  }
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
 const std::vector<std::string>& case_file_names()
 {
   static const std::vector<std::string> names = {case_settings_name,

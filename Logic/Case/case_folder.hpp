@@ -41,8 +41,6 @@ public:
   /// Throws Error if a file lies where a step's result is to go and the step may not replace it:
   /// the user's own, or that of a sample.
   void require_replaceable(const std::vector<std::string>& names, const std::string& step) const;
-  /// Names of files, in order, that begin and end so.
-  std::vector<std::string> matching(const std::string& begin, const std::string& end) const;
 
 private:
   friend class CaseChange;

@@ -1,16 +1,13 @@
 #include "Case/face_regions.hpp"
 
-#include "Bridge/grid_file.hpp"
 #include "Core/mesh/contact.hpp"
 
 namespace f2b
 {
 
-FaceRegions face_regions(const CaseFolder& folder, const std::vector<Vec3>& reference_skin)
+FaceRegions face_regions(const ScalarGrid& closed_bone, const LabelGrid& parts,
+                         const std::vector<Vec3>& reference_skin)
 {
-  const ScalarGrid closed =
-      read_scalar_grid(folder.require("closed_bone_distance.nrrd", "segment"));
-  const LabelGrid parts = read_label_grid(folder.require("bone_parts.nrrd", "cut"));
   FaceRegions regions;
   for (const Vec3& vertex : reference_skin)
   {
@@ -18,9 +15,9 @@ FaceRegions face_regions(const CaseFolder& folder, const std::vector<Vec3>& refe
     Vec3 p = vertex;
     for (int step = 0; step < 3; ++step)
     {
-      const Vec3 slope = closed.gradient(p);
+      const Vec3 slope = closed_bone.gradient(p);
       if (slope.norm() > 1e-3)
-        p -= closed.value(p) * slope.normalized();
+        p -= closed_bone.value(p) * slope.normalized();
     }
     regions.over_fragment.push_back(nearest_bone(parts, p) >= BonePartition::first_fragment);
   }

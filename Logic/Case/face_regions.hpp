@@ -1,7 +1,6 @@
 #pragma once
 
-#include "Case/case_folder.hpp"
-#include "Core/geometry/vectors.hpp"
+#include "Core/geometry/scalar_grid.hpp"
 
 #include <vector>
 
@@ -15,6 +14,9 @@ struct FaceRegions
   std::vector<char> over_fragment;
 };
 
-FaceRegions face_regions(const CaseFolder& folder, const std::vector<Vec3>& reference_skin);
+/// \param closed_bone  its signed distance
+/// \param parts        BonePartition::labels
+FaceRegions face_regions(const ScalarGrid& closed_bone, const LabelGrid& parts,
+                         const std::vector<Vec3>& reference_skin);
 
 } // namespace f2b

@@ -91,9 +91,11 @@ public:
     const TriangleMesh target = to_triangle_mesh(surface);
     m_target_points = target.points;
     m_target_normals = vertex_normals(target);
-    m_regions = face_regions(session.folder, m_face.reference_skin.points);
     m_bone = read_scalar_grid(session.folder.require("bone_distance.nrrd", "segment"));
     m_bone_parts = read_label_grid(session.folder.require("bone_parts.nrrd", "cut"));
+    m_regions = face_regions(
+        read_scalar_grid(session.folder.require("closed_bone_distance.nrrd", "segment")),
+        m_bone_parts, m_face.reference_skin.points);
     require_overlap();
   }
 

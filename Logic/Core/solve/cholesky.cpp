@@ -99,9 +99,4 @@ Eigen::MatrixXd Cholesky::solve(const Eigen::MatrixXd& right_hand_sides) const
   return solution;
 }
 
-double Cholesky::factor_nonzeros() const
-{
-  return m_factor->common.lnz;
-}
-
 } // namespace f2b

@@ -37,8 +37,6 @@ public:
   /// Solves for several right-hand sides, one per column. The last factorisation succeeded.
   Eigen::MatrixXd solve(const Eigen::MatrixXd& right_hand_sides) const;
 
-  double factor_nonzeros() const;
-
 private:
   struct Factor;
   std::unique_ptr<Factor> m_factor;

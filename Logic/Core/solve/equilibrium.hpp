@@ -67,7 +67,6 @@ public:
   /// Is told the share of the load that is carried, in [0, 1]; may throw to cancel.
   void set_progress(std::function<void(double)> progress) { m_progress = std::move(progress); }
 
-  const Cholesky& factor() const { return m_cholesky; }
 
 private:
   bool newton(std::vector<Vec3>& x, EquilibriumSummary& summary);
