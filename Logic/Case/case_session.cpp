@@ -73,22 +73,20 @@ Vec3 vec3_from(const json& value)
   return {value.at(0).get<double>(), value.at(1).get<double>(), value.at(2).get<double>()};
 }
 
-LoadedFace load_face(const CaseSession& session)
+LoadedFace::LoadedFace(const CaseSession& session)
+    : skin(read_surface(session.folder.require("skin.vtp", "segment"))),
+      reference_skin(to_triangle_mesh(skin)),
+      mesh(read_mesh(session.folder.require("mesh.vtu", "mesh"))),
+      materials(read_materials(session.settings.materials)), tissue(mesh),
+      interpolation(tissue, map_skin(mesh, reference_skin.points)),
+      skin_area(vertex_areas(reference_skin))
 {
-  LoadedFace face;
-  face.skin = read_surface(session.folder.require("skin.vtp", "segment"));
-  face.reference_skin = to_triangle_mesh(face.skin);
-  face.mesh = read_mesh(session.folder.require("mesh.vtu", "mesh"));
-  face.materials = read_materials(session.settings.materials);
-  face.map = map_skin(face.mesh, face.reference_skin.points);
-  face.skin_area = vertex_areas(face.reference_skin);
-  for (std::size_t v = 0; v < face.skin_area.size(); ++v)
-    if (face.map.places[v].prism < 0)
-      face.skin_area[v] = 0;
+  for (std::size_t v = 0; v < skin_area.size(); ++v)
+    if (interpolation.vertices[v].prism < 0)
+      skin_area[v] = 0;
   const json cut = read_json(session.folder.require("cut.json", "cut"));
   for (const json& fragment : cut.at("fragments"))
-    face.reference_points.push_back(vec3_from(fragment.at("reference_point_ras")));
-  return face;
+    reference_points.push_back(vec3_from(fragment.at("reference_point_ras")));
 }
 
 EquilibriumOptions equilibrium_options(const CaseSettings& settings)
@@ -137,9 +135,9 @@ vtkSmartPointer<vtkPolyData> displaced_skin(const LoadedFace& face,
 
 std::vector<Vec3> node_displacements(const MixedMesh& mesh, const std::vector<Vec3>& x)
 {
-  std::vector<Vec3> u = x;
+  std::vector<Vec3> u = mesh.X;
   for (std::size_t n = 0; n < u.size(); ++n)
-    u[n] -= mesh.X[n];
+    u[n] = x[n] - u[n];
   return u;
 }
 

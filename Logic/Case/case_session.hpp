@@ -54,17 +54,24 @@ Vec3 vec3_from(const nlohmann::json& value);
 /// Reference skin, mesh and laws of a meshed case, ready to be solved.
 struct LoadedFace
 {
+  explicit LoadedFace(const CaseSession& session);
+  LoadedFace(const LoadedFace&) = delete;
+  LoadedFace& operator=(const LoadedFace&) = delete;
+
+  FaceModel model() const
+  {
+    return {tissue, materials, interpolation, skin_area, reference_points};
+  }
+
   vtkSmartPointer<vtkPolyData> skin;
   TriangleMesh reference_skin;
   MixedMesh mesh;
   MaterialSet materials;
-  SkinMap map;
+  Discretization tissue;
+  SkinInterpolation interpolation;
   std::vector<double> skin_area; ///< 0 where a vertex has no finite-element skin near it
   std::vector<Vec3> reference_points;
-
-  FaceModel model() const { return {mesh, materials, map, skin_area, reference_points}; }
 };
-LoadedFace load_face(const CaseSession& session);
 
 EquilibriumOptions equilibrium_options(const CaseSettings& settings);
 /// Motions in the order of the mesh's fragments; fragments that are not named stay at rest.
@@ -77,7 +84,7 @@ void write_moved_fragment(const CaseFolder& folder, const std::string& fragment,
 /// The reference skin moved by a displacement per vertex, with an array `displacement`.
 vtkSmartPointer<vtkPolyData> displaced_skin(const LoadedFace& face,
                                             const std::vector<Vec3>& displacement);
-/// Displacements of the mesh nodes at positions x [mm].
+/// Displacements of the mesh nodes in the state x [mm].
 std::vector<Vec3> node_displacements(const MixedMesh& mesh, const std::vector<Vec3>& x);
 /// Throws Error (Numerical) with one sentence if a solve did not converge.
 void require_converged(const EquilibriumSummary& summary, const std::string& what);

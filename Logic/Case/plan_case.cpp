@@ -80,7 +80,7 @@ class Planning
 {
 public:
   explicit Planning(CaseSession& session)
-      : m_session(session), m_face(load_face(session)), m_change(session.folder)
+      : m_session(session), m_face(session), m_change(session.folder)
   {
     const auto surface = read_surface(session.folder.require("target.vtp", "target"));
     m_target.displacement = point_vectors(surface, "displacement");

@@ -45,7 +45,7 @@ std::vector<RigidMotion> motions_to_predict(const CaseSession& session, const Lo
 void predict_case(CaseSession& session)
 {
   const Stopwatch watch;
-  const LoadedFace face = load_face(session);
+  const LoadedFace face(session);
   const std::vector<RigidMotion> motions = motions_to_predict(session, face);
   const Prediction prediction =
       predict_face(face.model(), motions, equilibrium_options(session.settings), session.progress);

@@ -83,7 +83,7 @@ std::vector<Vec3> from_warp(const TargetSettings& target, const TriangleMesh& re
 
 std::vector<Vec3> from_movement(CaseSession& session)
 {
-  const LoadedFace face = load_face(session);
+  const LoadedFace face(session);
   const Prediction prediction = predict_face(
       face.model(),
       stated_motions(session.settings.target.movements, face, "'/target/from_movement'"),

@@ -35,10 +35,11 @@ Mat3 spring_positions(const std::vector<Vec3>& x, const std::array<int, 6>& corn
 
 } // namespace
 
-ElasticModel::ElasticModel(const MixedMesh& mesh, const MaterialSet& materials,
+ElasticModel::ElasticModel(const Discretization& tissue, const MaterialSet& materials,
                            std::vector<char> prescribed)
-    : m_mesh(mesh), m_materials(materials)
+    : m_mesh(tissue.mesh()), m_materials(materials)
 {
+  const MixedMesh& mesh = m_mesh;
   for (const auto& tet : mesh.tets)
     m_tets.push_back(make_tet4(corner_positions<Tet4>(mesh.X, tet)));
   for (const auto& prism : mesh.prisms)
@@ -207,8 +208,8 @@ double ElasticModel::energy(const std::vector<Vec3>& x) const
   {
     const Mat3 p = spring_positions(x, m_mesh.prisms[static_cast<std::size_t>(spring.prism)]);
     total += 0.5 * m_spring_stiffness *
-             ((p * spring.mass).cwiseProduct(p).sum() - 2 * p.cwiseProduct(spring.pull).sum() +
-              spring.offset);
+             ((p * spring.mass.topLeftCorner<3, 3>()).cwiseProduct(p).sum() -
+              2 * p.cwiseProduct(spring.pull.leftCols<3>()).sum() + spring.offset);
   }
   return total;
 }
@@ -234,7 +235,7 @@ void add_spring(const SkinSpring& spring, double stiffness, const Mat3& position
                 double* blocks)
 {
   Eigen::Map<Mat3> top(forces);
-  top += stiffness * (positions * spring.mass - spring.pull);
+  top += stiffness * (positions * spring.mass.topLeftCorner<3, 3>() - spring.pull.leftCols<3>());
   if (!blocks)
     return;
   Eigen::Map<Eigen::Matrix<double, 18, 18>> K(blocks);

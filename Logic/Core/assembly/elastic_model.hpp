@@ -9,26 +9,26 @@
 namespace f2b
 {
 
-/// Assembles a mixed mesh with its materials, and optionally the pull of skin springs.
+/// Assembles a discretized mesh with its materials, and optionally the pull of skin springs.
 ///
 /// Sums are made in an order that does not depend on the number of threads, so results are the
-/// same bit for bit. The mesh and the materials outlive the model.
+/// same bit for bit. The discretization and the materials outlive the model.
 class ElasticModel
 {
 public:
-  /// \param prescribed  one flag per node: its position is given, the others are unknown
-  ElasticModel(const MixedMesh& mesh, const MaterialSet& materials, std::vector<char> prescribed);
+  /// \param prescribed  one flag per control vector: it is given, the others are unknown
+  ElasticModel(const Discretization& tissue, const MaterialSet& materials,
+               std::vector<char> prescribed);
 
   /// Adds springs of stiffness K_e [N/mm^3] to energy, forces and stiffness.
   void set_springs(std::vector<SkinSpring> springs, double stiffness);
 
-  const MixedMesh& mesh() const { return m_mesh; }
   long unknown_count() const { return 3 * static_cast<long>(m_unknown_nodes.size()); }
-  /// Nodes with unknown positions; unknown 3 i + a is component a of node `unknown_nodes()[i]`.
-  const std::vector<int>& unknown_nodes() const { return m_unknown_nodes; }
-  bool is_prescribed(int node) const
+  /// Unknown control vectors; unknown 3 i + a is component a of control `unknown_controls()[i]`.
+  const std::vector<int>& unknown_controls() const { return m_unknown_nodes; }
+  bool is_prescribed(int control) const
   {
-    return m_unknown_of_node[static_cast<std::size_t>(node)] < 0;
+    return m_unknown_of_node[static_cast<std::size_t>(control)] < 0;
   }
 
   /// Total energy at positions x [N mm]; infinite if an element is inverted at a quadrature point.
@@ -39,8 +39,8 @@ public:
   Eigen::VectorXd linearize(const std::vector<Vec3>& x);
   /// The tangent of the unknowns at the last `linearize`.
   const SymmetricMatrix& stiffness() const { return m_stiffness; }
-  /// Forces on the unknowns from a small motion of prescribed nodes, by the last linearisation [N].
-  /// \param motion  one displacement per node [mm]; those of unknown nodes are not used
+  /// Forces on the unknowns from a small motion of prescribed controls, by the last linearisation [N].
+  /// \param motion  one change per control vector [mm]; those of unknowns are not used
   Eigen::VectorXd coupling(const std::vector<Vec3>& motion) const;
 
 private:

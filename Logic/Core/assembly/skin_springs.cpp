@@ -4,27 +4,43 @@
 
 namespace f2b
 {
+namespace
+{
 
-std::vector<SkinSpring> make_skin_springs(const MixedMesh& mesh, const SkinMap& map,
+SkinSpring unloaded(const SkinWeights& point)
+{
+  SkinSpring spring;
+  spring.prism = point.prism;
+  spring.count = point.count;
+  spring.mass.setZero();
+  spring.pull.setZero();
+  return spring;
+}
+
+void load(SkinSpring& spring, const SkinWeights& point, double area, const Vec3& target)
+{
+  const Eigen::Map<const Eigen::Matrix<double, SkinSpring::most, 1>> b(point.weight.data());
+  spring.mass += area * b * b.transpose();
+  spring.pull += area * target * b.transpose();
+  spring.offset += area * target.squaredNorm();
+}
+
+} // namespace
+
+std::vector<SkinSpring> make_skin_springs(const Discretization& tissue,
+                                          const SkinInterpolation& skin,
                                           const std::vector<Vec3>& displacement,
                                           const std::vector<double>& area)
 {
+  const std::vector<Vec3> rest = skin.of_change(tissue.rest());
   std::map<int, SkinSpring> springs;
-  for (std::size_t v = 0; v < map.places.size(); ++v)
+  for (std::size_t v = 0; v < skin.vertices.size(); ++v)
   {
-    const SkinPlace& place = map.places[v];
-    if (place.prism < 0 || area[v] <= 0)
+    const SkinWeights& point = skin.vertices[v];
+    if (point.prism < 0 || area[v] <= 0)
       continue;
-    Vec3 target = displacement[v];
-    const auto& corners = mesh.prisms[static_cast<std::size_t>(place.prism)];
-    for (int i = 0; i < 3; ++i)
-      target +=
-          place.weights[i] * mesh.X[static_cast<std::size_t>(corners[static_cast<std::size_t>(i)])];
-    SkinSpring& spring = springs[place.prism];
-    spring.prism = place.prism;
-    spring.mass += area[v] * place.weights * place.weights.transpose();
-    spring.pull += area[v] * target * place.weights.transpose();
-    spring.offset += area[v] * target.squaredNorm();
+    SkinSpring& spring = springs.emplace(point.prism, unloaded(point)).first->second;
+    load(spring, point, area[v], rest[v] + displacement[v]);
   }
   std::vector<SkinSpring> result;
   for (auto& entry : springs)

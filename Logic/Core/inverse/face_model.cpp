@@ -3,8 +3,9 @@
 namespace f2b
 {
 
-std::vector<char> held_nodes(const MixedMesh& mesh, Held held)
+std::vector<char> held_controls(const Discretization& tissue, Held held)
 {
+  const MixedMesh& mesh = tissue.mesh();
   std::vector<char> flags(mesh.X.size(), 0);
   for (std::size_t n = 0; n < flags.size(); ++n)
   {
@@ -12,14 +13,15 @@ std::vector<char> held_nodes(const MixedMesh& mesh, Held held)
     flags[n] = part == Boundary::FixedBone || part == Boundary::Crop ||
                (held == Held::BoneAndFragments && part == Boundary::Fragment);
   }
-  return flags;
+  return tissue.control_flags(flags);
 }
 
-std::vector<Vec3> with_fragments_moved(const MixedMesh& mesh,
+std::vector<Vec3> with_fragments_moved(const Discretization& tissue,
                                        const std::vector<RigidMotion>& motions)
 {
-  std::vector<Vec3> x = mesh.X;
-  for (std::size_t n = 0; n < x.size(); ++n)
+  const MixedMesh& mesh = tissue.mesh();
+  std::vector<Vec3> x = tissue.rest();
+  for (std::size_t n = 0; n < mesh.X.size(); ++n)
     if (mesh.node_boundary[n] == Boundary::Fragment)
       x[n] = motions[static_cast<std::size_t>(mesh.node_fragment[n])].apply(mesh.X[n]);
   return x;
@@ -37,13 +39,14 @@ Prediction predict_face(const FaceModel& face, const std::vector<RigidMotion>& m
                         const EquilibriumOptions& options, const Progress& progress)
 {
   progress("predicting the face", 0);
-  ElasticModel model(face.mesh, face.materials, held_nodes(face.mesh, Held::BoneAndFragments));
+  ElasticModel model(face.tissue, face.materials,
+                     held_controls(face.tissue, Held::BoneAndFragments));
   EquilibriumSolver solver(model, options);
   solver.set_progress([&](double share) { progress("predicting the face", share); });
   Prediction prediction;
-  prediction.x = face.mesh.X;
-  prediction.summary = solver.move_to(prediction.x, with_fragments_moved(face.mesh, motions));
-  prediction.skin_displacement = face.skin_map.displacement(face.mesh, prediction.x);
+  prediction.x = face.tissue.rest();
+  prediction.summary = solver.move_to(prediction.x, with_fragments_moved(face.tissue, motions));
+  prediction.skin_displacement = face.skin.displacement(prediction.x);
   return prediction;
 }
 

@@ -2,7 +2,6 @@
 
 #include "Core/assembly/elastic_model.hpp"
 #include "Core/geometry/rigid_motion.hpp"
-#include "Core/mesh/skin_map.hpp"
 #include "Core/solve/equilibrium.hpp"
 
 /// What do the forward and the inverse problem share?
@@ -12,9 +11,9 @@ namespace f2b
 /// The face that is planned. All parts outlive the solves that use it.
 struct FaceModel
 {
-  const MixedMesh& mesh;
+  const Discretization& tissue;
   const MaterialSet& materials;
-  const SkinMap& skin_map;
+  const SkinInterpolation& skin;
   std::vector<double> skin_area; ///< per reference-skin vertex, 0 where it does not count [mm^2]
   std::vector<Vec3> reference_points; ///< per fragment, that its movement is told about [mm]
 };
@@ -26,16 +25,16 @@ struct SkinTarget
   std::vector<double> weight;     ///< >= 0; 0: the face may do there as it likes
 };
 
-/// Which nodes have a given position?
+/// Which control vectors are given?
 enum class Held
 {
   BoneAndFragments, ///< Gamma_c, Gamma_n and the crop walls: fragments are moved
   BoneOnly,         ///< Gamma_c and the crop walls: Gamma_n is free of traction
 };
-std::vector<char> held_nodes(const MixedMesh& mesh, Held held);
+std::vector<char> held_controls(const Discretization& tissue, Held held);
 
-/// Positions of all nodes with each fragment's nodes moved rigidly and the others at rest.
-std::vector<Vec3> with_fragments_moved(const MixedMesh& mesh,
+/// Control vectors at rest, but for each fragment's nodes, which are moved rigidly.
+std::vector<Vec3> with_fragments_moved(const Discretization& tissue,
                                        const std::vector<RigidMotion>& motions);
 
 /// Rest motions, one per fragment, about the model's reference points.
@@ -44,7 +43,7 @@ std::vector<RigidMotion> rest_motions(const FaceModel& face);
 /// The face that a movement of the fragments gives.
 struct Prediction
 {
-  std::vector<Vec3> x;                 ///< positions of the mesh nodes [mm]
+  std::vector<Vec3> x;                 ///< control vectors, the mesh nodes first [mm]
   std::vector<Vec3> skin_displacement; ///< of the reference skin [mm]
   EquilibriumSummary summary;
 };

@@ -18,12 +18,13 @@ class Fit
 public:
   Fit(const FaceModel& face, const SkinTarget& target, const RigidFitOptions& options)
       : m_face(face), m_target(target), m_options(options),
-        m_model(face.mesh, face.materials, held_nodes(face.mesh, Held::BoneAndFragments)),
-        m_solver(m_model, options.equilibrium), m_motions(rest_motions(face)), m_x(face.mesh.X)
+        m_model(face.tissue, face.materials, held_controls(face.tissue, Held::BoneAndFragments)),
+        m_solver(m_model, options.equilibrium), m_motions(rest_motions(face)),
+        m_x(face.tissue.rest())
   {
     m_weight.resize(m_face.skin_area.size());
     for (std::size_t v = 0; v < m_weight.size(); ++v)
-      m_weight[v] = face.skin_map.places[v].prism < 0 ? 0 : face.skin_area[v] * target.weight[v];
+      m_weight[v] = face.skin.vertices[v].prism < 0 ? 0 : face.skin_area[v] * target.weight[v];
   }
 
   RigidFitResult run(const Progress& progress);
@@ -57,7 +58,7 @@ private:
 
 double Fit::objective(const std::vector<Vec3>& x) const
 {
-  const std::vector<Vec3> u = m_face.skin_map.displacement(m_face.mesh, x);
+  const std::vector<Vec3> u = m_face.skin.displacement(x);
   double sum = 0;
   for (std::size_t v = 0; v < u.size(); ++v)
     sum += 0.5 * m_weight[v] * (u[v] - m_target.displacement[v]).squaredNorm();
@@ -71,7 +72,7 @@ std::vector<Vec3> unit_motion(const MixedMesh& mesh, const std::vector<Vec3>& x,
 {
   std::vector<Vec3> motion(x.size(), Vec3::Zero());
   const Vec3 axis = Vec3::Unit(parameter % 3);
-  for (std::size_t n = 0; n < x.size(); ++n)
+  for (std::size_t n = 0; n < mesh.X.size(); ++n)
     if (mesh.node_boundary[n] == Boundary::Fragment && mesh.node_fragment[n] == fragment)
       motion[n] = parameter < 3 ? Vec3(axis.cross(x[n] - center)) : axis;
   return motion;
@@ -82,19 +83,14 @@ void Fit::normal_equations(Eigen::MatrixXd& H, Eigen::VectorXd& g)
   std::vector<std::vector<Vec3>> motions;
   for (std::size_t f = 0; f < m_motions.size(); ++f)
     for (int p = 0; p < 6; ++p)
-      motions.push_back(unit_motion(m_face.mesh, m_x, static_cast<int>(f),
+      motions.push_back(unit_motion(m_face.tissue.mesh(), m_x, static_cast<int>(f),
                                     m_motions[f].reference_point + m_motions[f].translation, p));
   const auto responses = m_solver.respond(motions);
   // the skin's first-order change, by the linearity of the map from nodes to the reference skin
   std::vector<std::vector<Vec3>> columns;
   for (const auto& response : responses)
-  {
-    std::vector<Vec3> shifted = m_face.mesh.X;
-    for (std::size_t n = 0; n < shifted.size(); ++n)
-      shifted[n] += response[n];
-    columns.push_back(m_face.skin_map.displacement(m_face.mesh, shifted));
-  }
-  const std::vector<Vec3> u = m_face.skin_map.displacement(m_face.mesh, m_x);
+    columns.push_back(m_face.skin.of_change(response));
+  const std::vector<Vec3> u = m_face.skin.displacement(m_x);
   const auto n = static_cast<Eigen::Index>(columns.size());
   H = Eigen::MatrixXd::Zero(n, n);
   g = Eigen::VectorXd::Zero(n);
@@ -123,7 +119,7 @@ void Fit::require_sensitivity(const Eigen::MatrixXd& H) const
     const auto first = static_cast<Eigen::Index>(6 * f + 3);
     const double response = H.diagonal().segment(first, 3).maxCoeff();
     if (!(loaded > 0) || response < 1e-10 * loaded)
-      throw Error("fragment '" + m_face.mesh.fragments[f] + "'",
+      throw Error("fragment '" + m_face.tissue.mesh().fragments[f] + "'",
                   "moving it does not move the skin of the target",
                   "give the fragment soft-tissue contact (smaller release margin, other cut), or "
                   "widen the target's mask");
@@ -147,7 +143,8 @@ bool Fit::try_step(const Eigen::VectorXd& step)
     motions[f] = motions[f].followed_by(step.segment<3>(first), step.segment<3>(first + 3));
   }
   std::vector<Vec3> x = m_x;
-  const EquilibriumSummary solve = m_solver.move_to(x, with_fragments_moved(m_face.mesh, motions));
+  const EquilibriumSummary solve =
+      m_solver.move_to(x, with_fragments_moved(m_face.tissue, motions));
   m_result.equilibrium.add(solve);
   if (!solve.converged())
     return false;
@@ -214,7 +211,7 @@ RigidFitResult Fit::run(const Progress& progress)
     break;
   }
   m_result.motions = m_motions;
-  m_result.skin_displacement = m_face.skin_map.displacement(m_face.mesh, m_x);
+  m_result.skin_displacement = m_face.skin.displacement(m_x);
   m_result.x = std::move(m_x);
   return std::move(m_result);
 }

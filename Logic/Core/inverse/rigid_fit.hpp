@@ -33,7 +33,7 @@ struct RigidFitResult
 {
   RigidFitTermination termination = RigidFitTermination::Converged;
   std::vector<RigidMotion> motions;    ///< one per fragment
-  std::vector<Vec3> x;                 ///< equilibrium of the mesh at these motions [mm]
+  std::vector<Vec3> x;                 ///< control vectors in equilibrium at these motions [mm]
   std::vector<Vec3> skin_displacement; ///< of the reference skin [mm]
   std::vector<RigidFitIteration> iterations;
   EquilibriumSummary equilibrium; ///< all solves together

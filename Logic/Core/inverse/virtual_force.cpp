@@ -11,19 +11,20 @@ namespace
 
 std::vector<RigidMotion> register_contacts(const FaceModel& face, const std::vector<Vec3>& x)
 {
+  const MixedMesh& mesh = face.tissue.mesh();
   std::vector<RigidMotion> motions;
   for (std::size_t f = 0; f < face.reference_points.size(); ++f)
   {
     std::vector<Vec3> from, to;
-    for (std::size_t n = 0; n < x.size(); ++n)
-      if (face.mesh.node_boundary[n] == Boundary::Fragment &&
-          face.mesh.node_fragment[n] == static_cast<int>(f))
+    for (std::size_t n = 0; n < mesh.X.size(); ++n)
+      if (mesh.node_boundary[n] == Boundary::Fragment &&
+          mesh.node_fragment[n] == static_cast<int>(f))
       {
-        from.push_back(face.mesh.X[n]);
+        from.push_back(mesh.X[n]);
         to.push_back(x[n]);
       }
     if (from.size() < 3)
-      throw Error("fragment '" + face.mesh.fragments[f] + "'",
+      throw Error("fragment '" + mesh.fragments[f] + "'",
                   "has " + std::to_string(from.size()) + " soft-tissue contact nodes, 3 are needed",
                   "use a smaller release margin, a denser mesh or another cut",
                   ErrorKind::Numerical);
@@ -40,11 +41,11 @@ VirtualForceResult drag_skin(const FaceModel& face, const SkinTarget& target,
   std::vector<double> area(face.skin_area.size());
   for (std::size_t v = 0; v < area.size(); ++v)
     area[v] = face.skin_area[v] * target.weight[v];
-  ElasticModel model(face.mesh, face.materials, held_nodes(face.mesh, Held::BoneOnly));
+  ElasticModel model(face.tissue, face.materials, held_controls(face.tissue, Held::BoneOnly));
   EquilibriumSolver solver(model, options.equilibrium);
 
   VirtualForceResult result;
-  result.x = face.mesh.X;
+  result.x = face.tissue.rest();
   // The target is walked to in shares: a first pull over the whole way would invert elements.
   double reached = 0, step = 0.5;
   while (reached < 1)
@@ -53,7 +54,7 @@ VirtualForceResult drag_skin(const FaceModel& face, const SkinTarget& target,
     std::vector<Vec3> displacement = target.displacement;
     for (Vec3& d : displacement)
       d *= share;
-    model.set_springs(make_skin_springs(face.mesh, face.skin_map, displacement, area),
+    model.set_springs(make_skin_springs(face.tissue, face.skin, displacement, area),
                       options.stiffness_n_per_mm3);
     progress("pulling the skin by virtual forces", reached);
     const EquilibriumSummary solve = solver.relax(result.x);
@@ -65,7 +66,7 @@ VirtualForceResult drag_skin(const FaceModel& face, const SkinTarget& target,
   }
   result.equilibrium.load_reached = reached;
   result.motions = register_contacts(face, result.x);
-  result.skin_displacement = face.skin_map.displacement(face.mesh, result.x);
+  result.skin_displacement = face.skin.displacement(result.x);
   return result;
 }
 

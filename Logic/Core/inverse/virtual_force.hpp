@@ -14,8 +14,8 @@ struct VirtualForceOptions
 
 struct VirtualForceResult
 {
-  std::vector<RigidMotion> motions;    ///< rest to deformed Gamma_n, registered rigidly
-  std::vector<Vec3> x;                 ///< positions of the mesh nodes under the virtual force [mm]
+  std::vector<RigidMotion> motions; ///< rest to deformed Gamma_n, registered rigidly
+  std::vector<Vec3> x; ///< control vectors under the virtual force, the mesh nodes first [mm]
   std::vector<Vec3> skin_displacement; ///< what the solve itself leaves the skin at [mm]
   EquilibriumSummary equilibrium;
 };

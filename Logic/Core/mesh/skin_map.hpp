@@ -13,13 +13,10 @@ struct SkinPlace
   Vec3 weights = Vec3::Zero(); ///< area coordinates on corners 0-2 of the prism, sum 1
 };
 
-/// One place per reference-skin vertex; interpolates nodal fields to the reference skin.
+/// One place per reference-skin vertex.
 struct SkinMap
 {
   std::vector<SkinPlace> places;
-
-  /// Displacement of every reference-skin vertex [mm]; zero where the vertex has no place.
-  std::vector<Vec3> displacement(const MixedMesh& mesh, const std::vector<Vec3>& x) const;
 };
 
 } // namespace f2b

@@ -26,7 +26,7 @@ std::vector<Vec3> EquilibriumSolver::moved(const std::vector<Vec3>& x, const Eig
                                            double scale) const
 {
   std::vector<Vec3> result = x;
-  const auto& nodes = m_model.unknown_nodes();
+  const auto& nodes = m_model.unknown_controls();
   for (std::size_t i = 0; i < nodes.size(); ++i)
     result[static_cast<std::size_t>(nodes[i])] +=
         scale * step.segment<3>(3 * static_cast<Eigen::Index>(i));
@@ -199,7 +199,7 @@ EquilibriumSolver::respond(const std::vector<std::vector<Vec3>>& motions)
   for (std::size_t m = 0; m < motions.size(); ++m)
     loads.col(static_cast<Eigen::Index>(m)) = -m_model.coupling(motions[m]);
   const Eigen::MatrixXd answers = loads.rows() ? m_cholesky.solve(loads) : loads;
-  const auto& nodes = m_model.unknown_nodes();
+  const auto& nodes = m_model.unknown_controls();
   std::vector<std::vector<Vec3>> responses;
   for (std::size_t m = 0; m < motions.size(); ++m)
   {

@@ -22,19 +22,21 @@ std::vector<Vec3> shaken(std::vector<Vec3> x, double amount, unsigned seed)
   return x;
 }
 
-std::vector<SkinSpring> test_springs(const MixedMesh& mesh)
+std::vector<SkinSpring> test_springs(const Discretization& tissue)
 {
-  const SkinMap map = corner_map(mesh);
-  return make_skin_springs(mesh, map, std::vector<Vec3>(map.places.size(), Vec3(1, 2, 3)),
-                           std::vector<double>(map.places.size(), 0.7));
+  const SkinInterpolation skin(tissue, corner_map(tissue.mesh()));
+  const std::size_t n = skin.vertices.size();
+  return make_skin_springs(tissue, skin, std::vector<Vec3>(n, Vec3(1, 2, 3)),
+                           std::vector<double>(n, 0.7));
 }
 
 TEST(ElasticModel, ForcesAndStiffnessAreDerivatives)
 {
   const MixedMesh mesh = make_slab({2, 1, 20, 8, 1.5, 2.0, 0.5});
+  const Discretization tissue(mesh);
   const MaterialSet materials = soft_material();
-  ElasticModel model(mesh, materials, held_nodes(mesh, Held::BoneOnly));
-  model.set_springs(test_springs(mesh), 0.05);
+  ElasticModel model(tissue, materials, held_controls(tissue, Held::BoneOnly));
+  model.set_springs(test_springs(tissue), 0.05);
   const std::vector<Vec3> x = shaken(mesh.X, 0.2, 4);
   const Eigen::VectorXd forces = model.linearize(x);
   EXPECT_LT((forces - model.forces(x)).norm(), 1e-14 * forces.norm());
@@ -51,7 +53,7 @@ TEST(ElasticModel, ForcesAndStiffnessAreDerivatives)
   for (long u = 0; u < model.unknown_count(); ++u)
   {
     std::vector<Vec3> plus = x, minus = x;
-    const auto node = std::size_t(model.unknown_nodes()[std::size_t(u / 3)]);
+    const auto node = std::size_t(model.unknown_controls()[std::size_t(u / 3)]);
     plus[node][u % 3] += h;
     minus[node][u % 3] -= h;
     EXPECT_NEAR(forces[u], (model.energy(plus) - model.energy(minus)) / (2 * h),
@@ -64,8 +66,9 @@ TEST(ElasticModel, ForcesAndStiffnessAreDerivatives)
 TEST(ElasticModel, CouplingIsTheForceOfMovingPrescribedNodes)
 {
   const MixedMesh mesh = make_slab({4, 1, 40, 8, 1.5, 0, 0.6});
+  const Discretization tissue(mesh);
   const MaterialSet materials = soft_material();
-  ElasticModel model(mesh, materials, held_nodes(mesh, Held::BoneAndFragments));
+  ElasticModel model(tissue, materials, held_controls(tissue, Held::BoneAndFragments));
   const std::vector<Vec3> x = shaken(mesh.X, 0.2, 5);
   (void)model.linearize(x);
   const std::vector<Vec3> motion = shaken(std::vector<Vec3>(x.size(), Vec3::Zero()), 1, 6);
@@ -85,13 +88,14 @@ TEST(ElasticModel, CouplingIsTheForceOfMovingPrescribedNodes)
 void expect_affine_is_exact(const SlabOptions& options)
 {
   const MixedMesh mesh = make_slab(options);
+  const Discretization tissue(mesh);
   const MaterialSet materials = soft_material();
   std::vector<char> outside(mesh.X.size());
   const int n = options.cells + 1;
   for (std::size_t i = 0; i < outside.size(); ++i)
     outside[i] = mesh.node_boundary[i] == Boundary::Crop || i < std::size_t(n * n) ||
                  i >= mesh.X.size() - std::size_t(n * n);
-  ElasticModel model(mesh, materials, outside);
+  ElasticModel model(tissue, materials, outside);
   ASSERT_GT(model.unknown_count(), 0);
   Mat3 A;
   A << 1.10, 0.05, 0.02, -0.04, 0.95, 0.03, 0.01, -0.06, 1.05;
@@ -120,13 +124,14 @@ TEST(PatchTest, AffineFieldIsExactOnCurvedSkin)
 TEST(Equilibrium, NewtonConvergesQuadratically)
 {
   const MixedMesh mesh = make_slab({});
+  const Discretization tissue(mesh);
   const MaterialSet materials = soft_material();
-  ElasticModel model(mesh, materials, held_nodes(mesh, Held::BoneAndFragments));
+  ElasticModel model(tissue, materials, held_controls(tissue, Held::BoneAndFragments));
   EquilibriumSolver solver(model, {});
   std::vector<Vec3> x = mesh.X;
   RigidMotion motion;
   motion.translation = {1, -2, 3};
-  const EquilibriumSummary summary = solver.move_to(x, with_fragments_moved(mesh, {motion}));
+  const EquilibriumSummary summary = solver.move_to(x, with_fragments_moved(tissue, {motion}));
   ASSERT_TRUE(summary.converged());
   const auto& steps = summary.steps_mm;
   ASSERT_GE(steps.size(), 4u);
@@ -140,15 +145,16 @@ TEST(Equilibrium, NewtonConvergesQuadratically)
 TEST(Equilibrium, AHugeMovementStopsWithTheLastAcceptedState)
 {
   const MixedMesh mesh = make_slab({});
+  const Discretization tissue(mesh);
   const MaterialSet materials = soft_material();
-  ElasticModel model(mesh, materials, held_nodes(mesh, Held::BoneAndFragments));
+  ElasticModel model(tissue, materials, held_controls(tissue, Held::BoneAndFragments));
   EquilibriumOptions options;
   options.smallest_load_step = 1.0 / 16;
   EquilibriumSolver solver(model, options);
   std::vector<Vec3> x = mesh.X;
   RigidMotion motion;
   motion.translation = {300, 0, 0}; // through its neighbours
-  const EquilibriumSummary summary = solver.move_to(x, with_fragments_moved(mesh, {motion}));
+  const EquilibriumSummary summary = solver.move_to(x, with_fragments_moved(tissue, {motion}));
   EXPECT_FALSE(summary.converged());
   EXPECT_LT(summary.load_reached, 1);
   EXPECT_TRUE(std::isfinite(model.energy(x)));
@@ -157,8 +163,9 @@ TEST(Equilibrium, AHugeMovementStopsWithTheLastAcceptedState)
 TEST(ElasticModel, ResultsDoNotDependOnTheNumberOfThreads)
 {
   const MixedMesh mesh = make_slab({});
+  const Discretization tissue(mesh);
   const MaterialSet materials = soft_material();
-  ElasticModel model(mesh, materials, held_nodes(mesh, Held::BoneOnly));
+  ElasticModel model(tissue, materials, held_controls(tissue, Held::BoneOnly));
   const std::vector<Vec3> x = shaken(mesh.X, 0.1, 7);
   const int threads = omp_get_max_threads();
   omp_set_num_threads(1);

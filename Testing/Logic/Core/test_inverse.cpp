@@ -22,19 +22,24 @@ constexpr double degree = 3.14159265358979323846 / 180;
 struct Slab
 {
   explicit Slab(SlabOptions options = {8, 2, 80, 14, 1.5, 4, 0.5})
-      : mesh(make_slab(options)), materials(soft_material()), map(corner_map(mesh)),
-        face{mesh, materials, map, std::vector<double>(map.places.size(), 1.0), {Vec3(0, 0, 0)}}
+      : mesh(make_slab(options)), materials(soft_material()), tissue(mesh),
+        skin(tissue, corner_map(mesh)), face{tissue,
+                                             materials,
+                                             skin,
+                                             std::vector<double>(skin.vertices.size(), 1.0),
+                                             {Vec3(0, 0, 0)}}
   {
   }
   SkinTarget target_of(const RigidMotion& motion) const
   {
     Prediction p = predict_face(face, {motion}, {}, no_progress);
     EXPECT_TRUE(p.summary.converged());
-    return {p.skin_displacement, std::vector<double>(map.places.size(), 1.0)};
+    return {p.skin_displacement, std::vector<double>(skin.vertices.size(), 1.0)};
   }
   MixedMesh mesh;
   MaterialSet materials;
-  SkinMap map;
+  Discretization tissue;
+  SkinInterpolation skin;
   FaceModel face;
 };
 
@@ -81,7 +86,7 @@ TEST(RigidFit, IsCloseUnderSkinNoise)
 TEST(RigidFit, TheRestFaceAsTargetGivesNoMovement)
 {
   const Slab slab;
-  const std::size_t n = slab.map.places.size();
+  const std::size_t n = slab.skin.vertices.size();
   const RigidFitResult fit =
       fit_fragments(slab.face, {std::vector<Vec3>(n, Vec3::Zero()), std::vector<double>(n, 1.0)},
                     {}, no_progress);
@@ -92,7 +97,7 @@ TEST(RigidFit, TheRestFaceAsTargetGivesNoMovement)
 TEST(RigidFit, AMaskWithoutSkinIsRefused)
 {
   const Slab slab;
-  const std::size_t n = slab.map.places.size();
+  const std::size_t n = slab.skin.vertices.size();
   EXPECT_THROW(fit_fragments(slab.face,
                              {std::vector<Vec3>(n, Vec3(0, 0, 1)), std::vector<double>(n, 0.0)}, {},
                              no_progress),
