@@ -32,12 +32,12 @@ std::string text(const json& object, const char* key)
   return found != object.end() && found->is_string() ? found->get<std::string>() : "";
 }
 
-Yeoh law_from(const json& tissue, const std::string& source, const std::string& where)
+Law law_from(const json& tissue, const std::string& source, const std::string& where)
 {
   if (text(tissue, "law") != "yeoh")
     throw Error(source, where + "/law is '" + text(tissue, "law") + "', not 'yeoh'",
                 "give the tissue a Yeoh law");
-  Yeoh law;
+  IsochoricYeoh law;
   law.c1 = number(tissue, source, where + "/c1");
   law.c2 = number(tissue, source, where + "/c2");
   law.c3 = number(tissue, source, where + "/c3");
@@ -50,8 +50,7 @@ Yeoh law_from(const json& tissue, const std::string& source, const std::string& 
   if (!(nu > -1) || !(nu <= 0.4999))
     throw Error(source, where + "/poisson_ratio is " + std::to_string(nu),
                 "give a value above -1 and up to 0.4999");
-  law.bulk_modulus = Yeoh::bulk_from(law.shear_modulus(), nu);
-  return law;
+  return Yeoh{law, {VolumetricLaw::Kind::Barrier, bulk_from(law.shear_modulus(), nu)}};
 }
 
 json document_of(const std::string& path)

@@ -191,15 +191,18 @@ double ElasticModel::energy(const std::vector<Vec3>& x) const
   for (long e = 0; e < tets; ++e)
   {
     const auto i = static_cast<std::size_t>(e);
-    parts[i] = element_energy(m_tets[i], corner_positions<Tet4>(x, m_mesh.tets[i]),
-                              m_materials.of(m_mesh.tet_tissue[i]));
+    const auto p = corner_positions<Tet4>(x, m_mesh.tets[i]);
+    parts[i] = std::visit([&](const auto& law) { return element_energy(m_tets[i], p, law); },
+                          m_materials.of(m_mesh.tet_tissue[i]));
   }
 #pragma omp parallel for schedule(static)
   for (long e = 0; e < prisms; ++e)
   {
     const auto i = static_cast<std::size_t>(e);
-    parts[m_tets.size() + i] = element_energy(
-        m_prisms[i], corner_positions<Prism6>(x, m_mesh.prisms[i]), m_materials.of(Tissue::Skin));
+    const auto p = corner_positions<Prism6>(x, m_mesh.prisms[i]);
+    parts[m_tets.size() + i] =
+        std::visit([&](const auto& law) { return element_energy(m_prisms[i], p, law); },
+                   m_materials.of(Tissue::Skin));
   }
   double total = 0;
   for (const double part : parts)
@@ -255,15 +258,19 @@ Eigen::VectorXd ElasticModel::forces(const std::vector<Vec3>& x) const
   for (long e = 0; e < tets; ++e)
   {
     const auto i = static_cast<std::size_t>(e);
-    matrix_at<Tet4::Positions>(corner, 12 * i) = element_forces(
-        m_tets[i], corner_positions<Tet4>(x, m_mesh.tets[i]), m_materials.of(m_mesh.tet_tissue[i]));
+    const auto p = corner_positions<Tet4>(x, m_mesh.tets[i]);
+    matrix_at<Tet4::Positions>(corner, 12 * i) =
+        std::visit([&](const auto& law) { return element_forces(m_tets[i], p, law); },
+                   m_materials.of(m_mesh.tet_tissue[i]));
   }
 #pragma omp parallel for schedule(static)
   for (long e = 0; e < prisms; ++e)
   {
     const auto i = static_cast<std::size_t>(e);
-    matrix_at<Prism6::Positions>(corner, 3 * tet_slots + 18 * i) = element_forces(
-        m_prisms[i], corner_positions<Prism6>(x, m_mesh.prisms[i]), m_materials.of(Tissue::Skin));
+    const auto p = corner_positions<Prism6>(x, m_mesh.prisms[i]);
+    matrix_at<Prism6::Positions>(corner, 3 * tet_slots + 18 * i) =
+        std::visit([&](const auto& law) { return element_forces(m_prisms[i], p, law); },
+                   m_materials.of(Tissue::Skin));
   }
   for (const SkinSpring& spring : m_springs)
   {
@@ -285,9 +292,10 @@ Eigen::VectorXd ElasticModel::linearize(const std::vector<Vec3>& x)
   {
     const auto i = static_cast<std::size_t>(e);
     Tet4::Stiffness K;
+    const auto p = corner_positions<Tet4>(x, m_mesh.tets[i]);
     matrix_at<Tet4::Positions>(corner, 12 * i) =
-        element_forces(m_tets[i], corner_positions<Tet4>(x, m_mesh.tets[i]),
-                       m_materials.of(m_mesh.tet_tissue[i]), K);
+        std::visit([&](const auto& law) { return element_forces(m_tets[i], p, law, K); },
+                   m_materials.of(m_mesh.tet_tissue[i]));
     matrix_at<Tet4::Stiffness>(m_blocks, 144 * i) = K;
   }
 #pragma omp parallel for schedule(static)
@@ -295,9 +303,10 @@ Eigen::VectorXd ElasticModel::linearize(const std::vector<Vec3>& x)
   {
     const auto i = static_cast<std::size_t>(e);
     Prism6::Stiffness K;
+    const auto p = corner_positions<Prism6>(x, m_mesh.prisms[i]);
     matrix_at<Prism6::Positions>(corner, 3 * tet_slots + 18 * i) =
-        element_forces(m_prisms[i], corner_positions<Prism6>(x, m_mesh.prisms[i]),
-                       m_materials.of(Tissue::Skin), K);
+        std::visit([&](const auto& law) { return element_forces(m_prisms[i], p, law, K); },
+                   m_materials.of(Tissue::Skin));
     matrix_at<Prism6::Stiffness>(m_blocks, prism_offset + 324 * i) = K;
   }
   for (const SkinSpring& spring : m_springs)

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "Core/material/yeoh.hpp"
+#include "Core/material/law.hpp"
 #include "Core/mesh/mixed_mesh.hpp"
 
 #include <array>
@@ -13,9 +13,9 @@ namespace f2b
 struct MaterialSet
 {
   std::string name;
-  std::array<Yeoh, tissue_count> laws;
+  std::array<Law, tissue_count> laws;
 
-  const Yeoh& of(Tissue tissue) const { return laws[static_cast<std::size_t>(tissue)]; }
+  const Law& of(Tissue tissue) const { return laws[static_cast<std::size_t>(tissue)]; }
 };
 
 } // namespace f2b

@@ -24,15 +24,19 @@ json good_document()
           {"tissues", {{"skin", law}, {"fat", law}, {"muscle", law}}}};
 }
 
+const IsochoricYeoh& yeoh_of(const MaterialSet& set, Tissue tissue)
+{
+  return std::get<Yeoh>(set.of(tissue)).isochoric;
+}
+
 TEST(MaterialFile, CarriedSetHoldsTheFittedValues)
 {
   const MaterialSet set = read_materials("table1-stable");
   EXPECT_EQ(set.name, "table1-stable");
-  EXPECT_NEAR(set.of(Tissue::Skin).c1, 0.04796368459, 1e-12);
-  EXPECT_NEAR(set.of(Tissue::Fat).c2, 0.05365742555, 1e-12);
-  EXPECT_NEAR(set.of(Tissue::Muscle).c1, 0.02709435238, 1e-12);
-  const Yeoh& muscle = set.of(Tissue::Muscle);
-  EXPECT_NEAR(muscle.bulk_modulus, Yeoh::bulk_from(muscle.shear_modulus(), 0.30), 1e-12);
+  EXPECT_NEAR(yeoh_of(set, Tissue::Skin).c1, 0.04796368459, 1e-12);
+  EXPECT_NEAR(yeoh_of(set, Tissue::Fat).c2, 0.05365742555, 1e-12);
+  EXPECT_NEAR(yeoh_of(set, Tissue::Muscle).c1, 0.02709435238, 1e-12);
+  EXPECT_NEAR(poisson_ratio(set.of(Tissue::Muscle)), 0.30, 1e-12);
 }
 
 TEST(MaterialFile, UsersFileIsRead)
@@ -40,7 +44,7 @@ TEST(MaterialFile, UsersFileIsRead)
   const TemporaryFolder folder;
   const MaterialSet set = read_materials(folder.write("own.json", good_document().dump()));
   EXPECT_EQ(set.name, "own");
-  EXPECT_EQ(set.of(Tissue::Fat).c1, 0.02);
+  EXPECT_EQ(yeoh_of(set, Tissue::Fat).c1, 0.02);
 }
 
 TEST(MaterialFile, EveryBadKeyIsNamed)

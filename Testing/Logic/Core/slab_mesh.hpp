@@ -88,7 +88,8 @@ inline MaterialSet soft_material(double poisson_ratio = 0.45)
 {
   MaterialSet set;
   set.name = "test";
-  set.laws.fill({0.01, 0.004, 0.002, Yeoh::bulk_from(0.02, poisson_ratio)});
+  set.laws.fill(
+      Yeoh{{0.01, 0.004, 0.002}, {VolumetricLaw::Kind::Barrier, bulk_from(0.02, poisson_ratio)}});
   return set;
 }
 
