@@ -37,7 +37,7 @@ struct MixedMesh
   std::vector<Vec3> X; ///< rest positions, one per node
   std::vector<std::array<int, 6>> prisms;
   std::vector<std::array<int, 4>> tets;
-  std::vector<Tissue> tet_tissue;      ///< one per tetrahedron, Fat or Muscle
+  std::vector<Tissue> tet_tissue;      ///< one per tetrahedron, Fat or Muscle; Skin where prisms were split
   std::vector<Boundary> node_boundary; ///< one per node
   std::vector<int> node_fragment;      ///< one per node: fragment index, or -1 off Gamma_n
   std::vector<std::string> fragments;  ///< names, in the order of the indices
