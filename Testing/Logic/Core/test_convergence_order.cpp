@@ -51,7 +51,8 @@ Eigen::VectorXd manufactured_load(const MixedMesh& mesh, const MaterialSet& mate
     {
       Eigen::Vector4d weights = Eigen::Vector4d::Constant(b);
       weights[q] = a;
-      const Mat3 P = materials.of(mesh.tet_tissue[e]).stress(exact_gradient(X * weights));
+      const Mat3 P =
+          std::get<Yeoh>(materials.of(mesh.tet_tissue[e])).stress(exact_gradient(X * weights));
       for (int c = 0; c < 4; ++c)
         load[std::size_t(mesh.tets[e][std::size_t(c)])] +=
             0.25 * tet.volumes[0] * P * tet.gradients[0].row(c).transpose();
