@@ -17,12 +17,14 @@ enum class SkinElement
 enum class Dilatation
 {
   PerPoint, ///< at every quadrature point: the plain element, which locks near incompressibility
+  Averaged, ///< as the mean of a prism, or of a patch of tetrahedra (mean_dilatation.hpp)
 };
 
 struct ElementScheme
 {
   SkinElement skin = SkinElement::Linear;
   Dilatation dilatation = Dilatation::PerPoint;
+  int patch_tets = 8; ///< size of a patch for averaged dilatation
 };
 
 /// A point of the skin as a combination of the first control vectors of one prism's element.

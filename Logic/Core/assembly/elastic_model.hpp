@@ -1,9 +1,7 @@
 #pragma once
 
+#include "Core/assembly/element_groups.hpp"
 #include "Core/assembly/skin_springs.hpp"
-#include "Core/element/quadrature_element.hpp"
-#include "Core/material/material_set.hpp"
-#include "Core/solve/cholesky.hpp"
 
 /// What are the energy, the forces and the tangent stiffness of the whole mesh?
 namespace f2b
@@ -18,56 +16,82 @@ class ElasticModel
 public:
   /// \param prescribed  one flag per control vector: it is given, the others are unknown
   ElasticModel(const Discretization& tissue, const MaterialSet& materials,
-               std::vector<char> prescribed);
+               const std::vector<char>& prescribed);
 
   /// Adds springs of stiffness K_e [N/mm^3] to energy, forces and stiffness.
   void set_springs(std::vector<SkinSpring> springs, double stiffness);
 
-  long unknown_count() const { return 3 * static_cast<long>(m_unknown_nodes.size()); }
+  long unknown_count() const { return 3 * static_cast<long>(m_unknown_controls.size()); }
   /// Unknown control vectors; unknown 3 i + a is component a of control `unknown_controls()[i]`.
-  const std::vector<int>& unknown_controls() const { return m_unknown_nodes; }
+  const std::vector<int>& unknown_controls() const { return m_unknown_controls; }
   bool is_prescribed(int control) const
   {
-    return m_unknown_of_node[static_cast<std::size_t>(control)] < 0;
+    return m_unknown_of_control[static_cast<std::size_t>(control)] < 0;
   }
 
-  /// Total energy at positions x [N mm]; infinite if an element is inverted at a quadrature point.
+  /// Total energy at control vectors x [N mm]; infinite where a law has no answer, such as an
+  /// element that is inverted at any quadrature point, averaged dilatation or not.
   double energy(const std::vector<Vec3>& x) const;
   /// Out-of-balance force dE/dx of the unknowns [N].
   Eigen::VectorXd forces(const std::vector<Vec3>& x) const;
-  /// Forces as above; also refreshes `stiffness()` and the element stiffnesses kept for `coupling`.
+  /// Forces as above; also refreshes `stiffness()` and what `coupling` needs.
   Eigen::VectorXd linearize(const std::vector<Vec3>& x);
   /// The tangent of the unknowns at the last `linearize`.
   const SymmetricMatrix& stiffness() const { return m_stiffness; }
-  /// Forces on the unknowns from a small motion of prescribed controls, by the last linearisation [N].
+  /// Forces on the unknowns from a small motion of prescribed controls, by the last
+  /// linearisation [N].
   /// \param motion  one change per control vector [mm]; those of unknowns are not used
   Eigen::VectorXd coupling(const std::vector<Vec3>& motion) const;
 
-private:
-  void build_pattern();
-  void gather_stiffness();
-  Eigen::VectorXd gather_forces(const std::vector<double>& corner_forces) const;
+  /// Smallest det F at any quadrature point, whatever the law: positive if no element is inverted.
+  double smallest_dilatation(const std::vector<Vec3>& x) const;
+  /// Calls visit(tissue, F, mean rest position of the element's corners, volume at rest) for every quadrature
+  /// point, one after the other.
+  template <class Visit>
+  void visit_points(const std::vector<Vec3>& x, const Visit& visit) const;
+  PatchSummary patch_summary() const { return m_groups.patch_summary(); }
 
-  const MixedMesh& m_mesh;
+private:
+  void number_unknowns(const std::vector<char>& prescribed);
+  template <class Visit>
+  void for_each_spring(const Visit& visit) const;
+  void add_spring_forces(const std::vector<Vec3>& x, std::vector<double>& slots) const;
+  void add_spring_stiffness();
+  bool moves(int control, const std::vector<Vec3>& motion) const;
+  void add_element_coupling(const int* controls, int count, const double* blocks,
+                            const std::vector<Vec3>& motion, Eigen::VectorXd& forces) const;
+  void add_patch_coupling(const std::vector<Vec3>& motion, Eigen::VectorXd& forces) const;
+  double spring_energy(const std::vector<Vec3>& x) const;
+
   const MaterialSet& m_materials;
-  std::vector<Tet4> m_tets;
-  std::vector<Prism6> m_prisms;
+  const std::vector<Vec3>& m_rest;
+  ElementGroups m_groups;
   std::vector<SkinSpring> m_springs;
   double m_spring_stiffness = 0;
 
-  std::vector<int> m_unknown_nodes;
-  std::vector<int> m_unknown_of_node; ///< -1: prescribed
-
-  // Corner slots: 4 per tet, then 6 per prism (top corners carry the springs too).
-  std::vector<long> m_node_slot_start; ///< per unknown node, into m_node_slots
-  std::vector<long> m_node_slots;
-  // Element stiffness blocks: tets 12 x 12, then prisms 18 x 18, column-major.
-  std::vector<double> m_blocks;
-  std::vector<long> m_pair_start;  ///< per node pair of the pattern, into m_pair_blocks
-  std::vector<long> m_pair_blocks; ///< offset of the first entry of a 3 x 3 block; low bit: prism
-  std::vector<int> m_pair_row, m_pair_column;
-  std::vector<long> m_pair_value; ///< offset of the pair's first column in m_stiffness.value
+  std::vector<int> m_unknown_controls;
+  std::vector<int> m_unknown_of_control; ///< -1: prescribed
+  Gather m_gather;
+  std::vector<double> m_blocks; ///< element stiffnesses at the last `linearize`
+  PatchStiffness m_patches;     ///< the same of patches
   SymmetricMatrix m_stiffness;
 };
+
+template <class Visit>
+void ElasticModel::visit_points(const std::vector<Vec3>& x, const Visit& visit) const
+{
+  m_groups.for_each(
+      [&](const auto& group)
+      {
+        for (long e = 0; e < group.size(); ++e)
+        {
+          const auto& element = group.element(e);
+          const auto positions = group.positions(x, e);
+          const Vec3 center = group.center(m_rest, e);
+          for (std::size_t q = 0; q < element.volumes.size(); ++q)
+            visit(group.tissue, Mat3(positions * element.gradients[q]), center, element.volumes[q]);
+        }
+      });
+}
 
 } // namespace f2b
