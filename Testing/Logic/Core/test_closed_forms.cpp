@@ -89,7 +89,7 @@ Inflation inflate(const SphereOptions& o, ElementScheme scheme, double stretch, 
 
 void print(const char* what, const Inflation& i)
 {
-  std::printf("%-28s pressure %.6f MPa (closed form %.6f, %+.2f %%), outer radius %.4f mm "
+  std::printf("%-30s pressure %.6f MPa (closed form %.6f, %+.2f %%), outer radius %.4f mm "
               "(%.4f, %+.3f %%)\n",
               what, i.pressure, i.closed_pressure, 100 * (i.pressure / i.closed_pressure - 1),
               i.outer_radius, i.closed_outer_radius,
@@ -98,8 +98,14 @@ void print(const char* what, const Inflation& i)
 
 TEST(ClosedForm, PressurisedThickSphere)
 {
-  print("plain", inflate({2, 4, 20, 30, 2.5}, {}, 1.3, 0.4999));
-  print("plain finer", inflate({3, 8, 20, 30, 1.25}, {}, 1.3, 0.4999));
+  const ElementScheme averaged{SkinElement::Linear, Dilatation::Averaged};
+  const SphereOptions coarse{3, 4, 20, 30, 1.5}, fine{4, 7, 20, 30, 1.5};
+  print("1280 faces, 4 layers, plain", inflate(coarse, {}, 1.3, 0.4999));
+  print("1280 faces, 4 layers, averaged", inflate(coarse, averaged, 1.3, 0.4999));
+  const Inflation best = inflate(fine, averaged, 1.3, 0.4999);
+  print("5120 faces, 7 layers, averaged", best);
+  EXPECT_NEAR(best.pressure, best.closed_pressure, 0.01 * best.closed_pressure);
+  EXPECT_NEAR(best.outer_radius, best.closed_outer_radius, 1e-3 * best.closed_outer_radius);
 }
 
 } // namespace
