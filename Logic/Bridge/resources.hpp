@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace f2b
 {
@@ -8,5 +9,8 @@ namespace f2b
 /// A file of Resources/ that the program carries in itself, such as `Materials/table1-stable.json`;
 /// null if it carries none of that name.
 const std::string* carried_resource(const std::string& path);
+
+/// The paths of all carried files that begin so, in alphabetical order.
+std::vector<std::string> carried_resources(const std::string& beginning);
 
 } // namespace f2b

@@ -1,5 +1,6 @@
 #include "Case/schema_check.hpp"
 
+#include "Bridge/key_hint.hpp"
 #include "Core/error.hpp"
 
 #include <valijson/adapters/nlohmann_json_adapter.hpp>
@@ -8,7 +9,6 @@
 #include <valijson/validation_results.hpp>
 #include <valijson/validator.hpp>
 
-#include <algorithm>
 #include <vector>
 
 namespace f2b
@@ -17,26 +17,6 @@ namespace
 {
 
 using nlohmann::json;
-
-/// Number of single-letter edits between two words (Levenshtein).
-std::size_t edits(const std::string& a, const std::string& b)
-{
-  std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j)
-    row[j] = j;
-  for (std::size_t i = 1; i <= a.size(); ++i)
-  {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j)
-    {
-      const std::size_t change = diagonal + (a[i - 1] != b[j - 1]);
-      diagonal = row[j];
-      row[j] = std::min({row[j] + 1, row[j - 1] + 1, change});
-    }
-  }
-  return row[b.size()];
-}
 
 const json& resolved(const json& rule, const json& root)
 {
@@ -47,18 +27,10 @@ const json& resolved(const json& rule, const json& root)
 
 std::string keys_of(const json& properties, const std::string& unknown)
 {
-  std::string nearest, all;
-  std::size_t distance = 4;
+  std::vector<std::string> keys;
   for (const auto& [key, value] : properties.items())
-  {
-    all += (all.empty() ? "" : ", ") + key;
-    if (edits(key, unknown) < distance)
-    {
-      distance = edits(key, unknown);
-      nearest = key;
-    }
-  }
-  return nearest.empty() ? "known keys here: " + all : "did you mean '" + nearest + "'?";
+    keys.push_back(key);
+  return hint_for(unknown, keys);
 }
 
 /// The commonest fault gets the best answer: a key that the schema does not know.

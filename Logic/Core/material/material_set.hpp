@@ -9,6 +9,12 @@
 namespace f2b
 {
 
+/// `skin`, `fat` or `muscle`.
+inline const char* name_of(Tissue tissue)
+{
+  return tissue == Tissue::Skin ? "skin" : tissue == Tissue::Fat ? "fat" : "muscle";
+}
+
 /// The law of each tissue, indexed by Tissue.
 struct MaterialSet
 {

@@ -58,11 +58,6 @@ Mat3 isochoric_deformation(Loading loading, double s)
   return F;
 }
 
-const char* name_of(Tissue tissue)
-{
-  return tissue == Tissue::Skin ? "skin" : tissue == Tissue::Fat ? "fat" : "muscle";
-}
-
 } // namespace
 
 double stability_margin(const Law& law, const Mat3& F)
