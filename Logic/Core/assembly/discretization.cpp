@@ -6,11 +6,19 @@ namespace f2b
 Discretization::Discretization(const MixedMesh& mesh, ElementScheme scheme)
     : m_mesh(mesh), m_scheme(scheme), m_rest(mesh.X)
 {
+  if (scheme.skin != SkinElement::Smooth)
+    return;
+  m_smooth = std::make_shared<const SmoothSkin>(mesh);
+  m_rest = m_smooth->rest();
 }
 
 std::vector<char> Discretization::control_flags(const std::vector<char>& node_flags) const
 {
-  return node_flags;
+  std::vector<char> flags = node_flags;
+  if (m_smooth)
+    for (const SkinTangents& tangents : m_smooth->tangents())
+      flags.insert(flags.end(), 2, node_flags[static_cast<std::size_t>(tangents.node)]);
+  return flags;
 }
 
 SkinWeights Discretization::skin_weights(const SkinPlace& place) const
@@ -19,6 +27,14 @@ SkinWeights Discretization::skin_weights(const SkinPlace& place) const
   if (place.prism < 0)
     return point;
   point.prism = place.prism;
+  if (m_smooth)
+  {
+    const SurfaceWeights smooth = m_smooth->surface_weights(place.prism, place.weights);
+    point.count = SkinWeights::most;
+    point.control = smooth.control;
+    Eigen::Map<Eigen::Matrix<double, 9, 1>>(point.weight.data()) = smooth.weight;
+    return point;
+  }
   point.count = 3;
   for (std::size_t i = 0; i < 3; ++i)
   {

@@ -2,6 +2,9 @@
 
 #include "Core/mesh/mixed_mesh.hpp"
 #include "Core/mesh/skin_map.hpp"
+#include "Core/mesh/smooth_skin.hpp"
+
+#include <memory>
 
 /// Which vectors describe a deformed mesh, and how do they give its skin?
 namespace f2b
@@ -11,6 +14,7 @@ namespace f2b
 enum class SkinElement
 {
   Linear, ///< eq. 4
+  Smooth, ///< eq. 5-6: a face with a continuous tangent plane (smooth_skin.hpp)
 };
 
 /// How the elements feel a change of volume.
@@ -41,7 +45,8 @@ struct SkinWeights
 /// A mesh with the shape functions of its elements.
 ///
 /// A state of it is one control vector per degree of freedom in R^3 [mm, RAS]: the position of
-/// every mesh node, in the mesh's order. The mesh outlives the discretization.
+/// every mesh node, in the mesh's order, then with smooth skin two slope vectors per node of the
+/// face that has them, in the order of `SmoothSkin::tangents`. The mesh outlives the discretization.
 class Discretization
 {
 public:
@@ -53,15 +58,42 @@ public:
   const std::vector<Vec3>& rest() const { return m_rest; }
   std::size_t control_count() const { return m_rest.size(); }
 
-  /// Flags of nodes carried over to the control vectors that belong to them.
+  /// The slopes of the face, or null: the skin is linear.
+  const SmoothSkin* smooth_skin() const { return m_smooth.get(); }
+
+  /// Flags of nodes carried over to the control vectors that belong to them: a held node of the
+  /// face is clamped.
   std::vector<char> control_flags(const std::vector<char>& node_flags) const;
   SkinWeights skin_weights(const SkinPlace& place) const;
+  /// The state in which a smooth map f carries the rest position along: nodes at f(X), slopes
+  /// J(X) times their rest value. An affine map is exact in every element.
+  template <class Map, class Derivative>
+  std::vector<Vec3> mapped_rest(const Map& f, const Derivative& J) const;
 
 private:
   const MixedMesh& m_mesh;
   ElementScheme m_scheme;
+  std::shared_ptr<const SmoothSkin> m_smooth;
   std::vector<Vec3> m_rest;
 };
+
+template <class Map, class Derivative>
+std::vector<Vec3> Discretization::mapped_rest(const Map& f, const Derivative& J) const
+{
+  std::vector<Vec3> x = m_rest;
+  const std::size_t nodes = m_mesh.X.size();
+  for (std::size_t c = 0; c < x.size(); ++c)
+  {
+    if (c < nodes)
+      x[c] = f(m_rest[c]);
+    else
+    {
+      const int node = m_smooth->tangents()[(c - nodes) / 2].node;
+      x[c] = J(m_mesh.X[static_cast<std::size_t>(node)]) * m_rest[c];
+    }
+  }
+  return x;
+}
 
 /// The reference skin's place in a discretization, one per reference-skin vertex.
 struct SkinInterpolation

@@ -3,6 +3,7 @@
 #include "Core/element/triangle_rule.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace f2b
@@ -247,7 +248,7 @@ double least_relative_jacobian(const Positions& at, const FaceMap& map)
     for (const double q : {inside ? depths[0].at : 0.0, inside ? depths[1].at : 1.0})
       least = std::min(least, -(Q * parametric_gradients(point, map, q)).determinant());
   }
-  return least / mean;
+  return least / std::abs(mean);
 }
 
 template SmoothPrismOf<3, 2> make_smooth_prism<3, 2>(const Positions&, const FaceMap&);

@@ -289,6 +289,21 @@ FaceMap SmoothSkin::face_map(int prism) const
   return f2b::face_map(top_corners(m_mesh, prism), m_slopes[at(prism)]);
 }
 
+Vec3 SmoothSkin::rest_of(int control) const
+{
+  const int slope = control - m_mesh.node_count();
+  return slope < 0 ? m_mesh.X[at(control)] : m_tangents[at(slope / 2)].tangent[at(slope % 2)];
+}
+
+SmoothPrism SmoothSkin::element(int prism) const
+{
+  const std::array<int, 12> all = controls(prism);
+  SmoothPrism::Positions Q;
+  for (int i = 0; i < 12; ++i)
+    Q.col(i) = rest_of(all[at(i)]);
+  return make_smooth_prism<6>(Q, face_map(prism));
+}
+
 bool SmoothSkin::is_straight(int prism, int edge_opposite) const
 {
   const int corner = (edge_opposite + 1) % 3; // its next corner is the edge's other end

@@ -67,6 +67,8 @@ public:
   /// their places; the element's functions are zero there.
   std::array<int, 12> controls(int prism) const;
   FaceMap face_map(int prism) const;
+  /// The prism's element at rest; its controls are as above.
+  SmoothPrism element(int prism) const;
   bool is_straight(int prism, int edge_opposite) const;
 
   /// Prisms that folded, ascending: all their edges are straight.
@@ -81,6 +83,7 @@ public:
 
 private:
   class Builder;
+  Vec3 rest_of(int control) const;
 
   const MixedMesh& m_mesh;
   std::vector<SkinTangents> m_tangents;
