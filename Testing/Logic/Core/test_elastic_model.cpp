@@ -1,10 +1,9 @@
 #include "Core/solve/equilibrium.hpp"
+#include "Logic/Core/finite_differences.hpp"
+#include "Logic/Core/material_samples.hpp"
 #include "Logic/Core/slab_mesh.hpp"
 
-#include <gtest/gtest.h>
 #include <omp.h>
-
-#include <random>
 
 namespace f2b
 {
@@ -12,15 +11,6 @@ namespace
 {
 
 using namespace testing;
-
-std::vector<Vec3> shaken(std::vector<Vec3> x, double amount, unsigned seed)
-{
-  std::mt19937 generator(seed);
-  std::uniform_real_distribution<double> step(-amount, amount);
-  for (Vec3& p : x)
-    p += Vec3(step(generator), step(generator), step(generator));
-  return x;
-}
 
 std::vector<SkinSpring> test_springs(const Discretization& tissue)
 {
@@ -30,46 +20,45 @@ std::vector<SkinSpring> test_springs(const Discretization& tissue)
                            std::vector<double>(n, 0.7));
 }
 
-TEST(ElasticModel, ForcesAndStiffnessAreDerivatives)
+/// Every kind of element with every kind of dilatation.
+class EveryElement : public ::testing::TestWithParam<ElementScheme>
 {
-  const MixedMesh mesh = make_slab({2, 1, 20, 8, 1.5, 2.0, 0.5});
-  const Discretization tissue(mesh);
-  const MaterialSet materials = soft_material();
-  ElasticModel model(tissue, materials, held_controls(tissue, Held::BoneOnly));
-  model.set_springs(test_springs(tissue), 0.05);
-  const std::vector<Vec3> x = shaken(mesh.X, 0.2, 4);
-  const Eigen::VectorXd forces = model.linearize(x);
-  EXPECT_LT((forces - model.forces(x)).norm(), 1e-14 * forces.norm());
+};
 
-  Eigen::MatrixXd K = Eigen::MatrixXd::Zero(model.unknown_count(), model.unknown_count());
-  const SymmetricMatrix& sparse = model.stiffness();
-  for (long c = 0; c < sparse.size; ++c)
-    for (long i = sparse.column_start[std::size_t(c)]; i < sparse.column_start[std::size_t(c) + 1];
-         ++i)
-      K(sparse.row[std::size_t(i)], c) = K(c, sparse.row[std::size_t(i)]) =
-          sparse.value[std::size_t(i)];
+std::string scheme_name(const ::testing::TestParamInfo<ElementScheme>& info)
+{
+  return info.param.dilatation == Dilatation::Averaged ? "Averaged" : "PerPoint";
+}
 
-  const double h = 1e-5;
-  for (long u = 0; u < model.unknown_count(); ++u)
+INSTANTIATE_TEST_SUITE_P(All, EveryElement,
+                         ::testing::Values(ElementScheme{SkinElement::Linear, Dilatation::PerPoint},
+                                           ElementScheme{SkinElement::Linear,
+                                                         Dilatation::Averaged}),
+                         scheme_name);
+
+TEST_P(EveryElement, ForcesAndStiffnessAreDerivatives)
+{
+  const MixedMesh mesh = make_slab({2, 2, 20, 12, 1.5, 2.0, 0.5});
+  const Discretization tissue(mesh, GetParam());
+  for (const NamedLaw& law : every_law())
   {
-    std::vector<Vec3> plus = x, minus = x;
-    const auto node = std::size_t(model.unknown_controls()[std::size_t(u / 3)]);
-    plus[node][u % 3] += h;
-    minus[node][u % 3] -= h;
-    EXPECT_NEAR(forces[u], (model.energy(plus) - model.energy(minus)) / (2 * h),
-                1e-7 * forces.norm());
-    const Eigen::VectorXd column = (model.forces(plus) - model.forces(minus)) / (2 * h);
-    EXPECT_LT((column - K.col(u)).norm(), 1e-7 * K.norm());
+    SCOPED_TRACE(law.name);
+    MaterialSet materials;
+    materials.laws.fill(law.law);
+    ElasticModel model(tissue, materials, held_controls(tissue, Held::BoneOnly));
+    expect_derivatives(model, shaken(tissue.rest(), 0.2, 4));
+    model.set_springs(test_springs(tissue), 0.05);
+    expect_derivatives(model, shaken(tissue.rest(), 0.2, 5));
   }
 }
 
-TEST(ElasticModel, CouplingIsTheForceOfMovingPrescribedNodes)
+TEST_P(EveryElement, CouplingIsTheForceOfMovingPrescribedNodes)
 {
   const MixedMesh mesh = make_slab({4, 1, 40, 8, 1.5, 0, 0.6});
-  const Discretization tissue(mesh);
+  const Discretization tissue(mesh, GetParam());
   const MaterialSet materials = soft_material();
   ElasticModel model(tissue, materials, held_controls(tissue, Held::BoneAndFragments));
-  const std::vector<Vec3> x = shaken(mesh.X, 0.2, 5);
+  const std::vector<Vec3> x = shaken(tissue.rest(), 0.2, 5);
   (void)model.linearize(x);
   const std::vector<Vec3> motion = shaken(std::vector<Vec3>(x.size(), Vec3::Zero()), 1, 6);
   std::vector<Vec3> plus = x, minus = x;
@@ -84,11 +73,55 @@ TEST(ElasticModel, CouplingIsTheForceOfMovingPrescribedNodes)
   EXPECT_LT((model.coupling(motion) - difference).norm(), 1e-7 * difference.norm());
 }
 
+TEST_P(EveryElement, AnInvertedElementHasInfiniteEnergy)
+{
+  const MixedMesh mesh = make_slab({2, 2, 20, 12, 1.5, 2.0, 0.5});
+  const Discretization tissue(mesh, GetParam());
+  const MaterialSet materials = soft_material();
+  const ElasticModel model(tissue, materials, held_controls(tissue, Held::BoneOnly));
+  std::vector<Vec3> x = tissue.rest();
+  EXPECT_NEAR(model.energy(x), 0, 1e-12);
+  EXPECT_NEAR(model.smallest_dilatation(x), 1, 1e-12);
+  std::swap(x[std::size_t(mesh.tets[20][1])], x[std::size_t(mesh.tets[20][2])]);
+  EXPECT_LT(model.smallest_dilatation(x), 0);
+  EXPECT_TRUE(std::isinf(model.energy(x)));
+  x = tissue.rest();
+  for (const int corner : {0, 1, 2}) // the face of one prism below its foot
+    x[std::size_t(mesh.prisms[3][std::size_t(corner)])].z() -= 3;
+  EXPECT_LT(model.smallest_dilatation(x), 0);
+  EXPECT_TRUE(std::isinf(model.energy(x)));
+}
+
+TEST_P(EveryElement, PointsFillTheMesh)
+{
+  const MixedMesh mesh = make_slab({3, 2, 30, 12, 1.5, 0, 0.5});
+  const Discretization tissue(mesh, GetParam());
+  const MaterialSet materials = soft_material();
+  const ElasticModel model(tissue, materials, held_controls(tissue, Held::BoneOnly));
+  Mat3 A;
+  A << 1.10, 0.05, 0.02, -0.04, 0.95, 0.03, 0.01, -0.06, 1.05;
+  std::vector<Vec3> x = tissue.rest();
+  for (Vec3& p : x)
+    p = A * p;
+  std::array<double, tissue_count> volume{};
+  double worst = 0;
+  model.visit_points(x,
+                     [&](Tissue kind, const Mat3& F, const Vec3& place, double share)
+                     {
+                       volume[std::size_t(kind)] += share;
+                       worst = std::max(worst, (F - A).norm());
+                       EXPECT_EQ(kind == Tissue::Skin, place.z() > 12);
+                     });
+  EXPECT_LT(worst, 1e-13);
+  EXPECT_NEAR(volume[0], 30 * 30 * 1.5, 1e-9);
+  EXPECT_NEAR(volume[1] + volume[2], 30 * 30 * 12, 1e-9);
+}
+
 /// Moves every node on the outside by an affine map; the inside must follow it exactly.
-void expect_affine_is_exact(const SlabOptions& options)
+void expect_affine_is_exact(const SlabOptions& options, ElementScheme scheme)
 {
   const MixedMesh mesh = make_slab(options);
-  const Discretization tissue(mesh);
+  const Discretization tissue(mesh, scheme);
   const MaterialSet materials = soft_material();
   std::vector<char> outside(mesh.X.size());
   const int n = options.cells + 1;
@@ -109,16 +142,20 @@ void expect_affine_is_exact(const SlabOptions& options)
   for (std::size_t i = 0; i < x.size(); ++i)
     worst = std::max(worst, (x[i] - target[i]).norm());
   EXPECT_LT(worst, 1e-10);
+  double strain = 0; // one F everywhere is one stress per tissue
+  model.visit_points(x, [&](Tissue, const Mat3& F, const Vec3&, double)
+                     { strain = std::max(strain, (F - A).norm()); });
+  EXPECT_LT(strain, 1e-10);
 }
 
-TEST(PatchTest, AffineFieldIsExactOnFlatSkin)
+TEST_P(EveryElement, AffineFieldIsExactOnFlatSkin)
 {
-  expect_affine_is_exact({4, 2, 40, 12, 1.5, 0, 0.5});
+  expect_affine_is_exact({4, 2, 40, 12, 1.5, 0, 0.5}, GetParam());
 }
 
-TEST(PatchTest, AffineFieldIsExactOnCurvedSkin)
+TEST_P(EveryElement, AffineFieldIsExactOnCurvedSkin)
 {
-  expect_affine_is_exact({4, 2, 40, 12, 1.5, 6, 0.5});
+  expect_affine_is_exact({4, 2, 40, 12, 1.5, 6, 0.5}, GetParam());
 }
 
 TEST(Equilibrium, NewtonConvergesQuadratically)
@@ -160,13 +197,13 @@ TEST(Equilibrium, AHugeMovementStopsWithTheLastAcceptedState)
   EXPECT_TRUE(std::isfinite(model.energy(x)));
 }
 
-TEST(ElasticModel, ResultsDoNotDependOnTheNumberOfThreads)
+TEST_P(EveryElement, ResultsDoNotDependOnTheNumberOfThreads)
 {
   const MixedMesh mesh = make_slab({});
-  const Discretization tissue(mesh);
+  const Discretization tissue(mesh, GetParam());
   const MaterialSet materials = soft_material();
   ElasticModel model(tissue, materials, held_controls(tissue, Held::BoneOnly));
-  const std::vector<Vec3> x = shaken(mesh.X, 0.1, 7);
+  const std::vector<Vec3> x = shaken(tissue.rest(), 0.1, 7);
   const int threads = omp_get_max_threads();
   omp_set_num_threads(1);
   const Eigen::VectorXd one = model.linearize(x);
