@@ -2,8 +2,6 @@
 
 #include "Core/assembly/dilatation_patches.hpp"
 
-#include <limits>
-
 namespace f2b
 {
 
@@ -11,7 +9,10 @@ ElementGroups::ElementGroups(const Discretization& tissue, const MaterialSet& ma
 {
   for (int kind = 0; kind < tissue_count; ++kind)
     add_tets(tissue, materials, static_cast<Tissue>(kind));
-  add_prisms(tissue);
+  if (tissue.smooth_skin())
+    add_smooth_prisms(tissue);
+  else
+    add_prisms(tissue);
   number();
 }
 
@@ -58,6 +59,25 @@ void ElementGroups::add_prisms(const Discretization& tissue)
   for (std::size_t e = 0; e < group.controls.size(); ++e)
     group.elements.push_back(make_prism6(group.positions(tissue.rest(), static_cast<long>(e))));
   std::get<1>(m_kinds).push_back(std::move(group));
+}
+
+void ElementGroups::add_smooth_prisms(const Discretization& tissue)
+{
+  const SmoothSkin& skin = *tissue.smooth_skin();
+  const int count = static_cast<int>(tissue.mesh().prisms.size());
+  if (count == 0)
+    return;
+  ElementGroup<SmoothPrism> group;
+  group.tissue = Tissue::Skin;
+  group.averaged = tissue.scheme().dilatation == Dilatation::Averaged;
+  for (int prism = 0; prism < count; ++prism)
+    group.controls.push_back(skin.controls(prism));
+  group.elements.resize(group.controls.size());
+#pragma omp parallel for schedule(static)
+  for (int prism = 0; prism < count; ++prism)
+    group.elements[static_cast<std::size_t>(prism)] =
+        make_smooth_prism<6>(group.positions(tissue.rest(), prism), skin.face_map(prism));
+  std::get<2>(m_kinds).push_back(std::move(group));
 }
 
 void ElementGroups::number()

@@ -3,6 +3,7 @@
 #include "Core/assembly/discretization.hpp"
 #include "Core/assembly/element_group.hpp"
 #include "Core/assembly/gather.hpp"
+#include "Core/element/smooth_prism.hpp"
 #include "Core/material/material_set.hpp"
 
 #include <tuple>
@@ -38,11 +39,12 @@ public:
   {
     std::apply([&](const auto&... kind) { (for_each_of(kind, visit), ...); }, m_kinds);
   }
-  /// The same for prisms, whose groups keep the order of the mesh's prisms.
+  /// The same for prisms: one group at most, in the order of the mesh.
   template <class Visit>
   void for_each_of_prisms(const Visit& visit) const
   {
     for_each_of(std::get<1>(m_kinds), visit);
+    for_each_of(std::get<2>(m_kinds), visit);
   }
 
   std::size_t element_count() const { return m_elements; }
@@ -63,9 +65,12 @@ private:
   }
   void add_tets(const Discretization& tissue, const MaterialSet& materials, Tissue kind);
   void add_prisms(const Discretization& tissue);
+  void add_smooth_prisms(const Discretization& tissue);
   void number();
 
-  std::tuple<std::vector<ElementGroup<Tet4>>, std::vector<ElementGroup<Prism6>>> m_kinds;
+  std::tuple<std::vector<ElementGroup<Tet4>>, std::vector<ElementGroup<Prism6>>,
+             std::vector<ElementGroup<SmoothPrism>>>
+      m_kinds;
   std::size_t m_elements = 0, m_slots = 0, m_blocks = 0, m_patch_slots = 0;
 };
 

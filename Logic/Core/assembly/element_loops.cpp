@@ -1,6 +1,7 @@
 #include "Core/assembly/element_loops.hpp"
 
 #include "Core/element/mean_dilatation.hpp"
+#include "Core/element/smooth_prism.hpp"
 
 #include <limits>
 
@@ -197,5 +198,6 @@ double ElementLoops<Element>::smallest_determinant(const Group& group, const std
 
 template struct ElementLoops<Tet4>;
 template struct ElementLoops<Prism6>;
+template struct ElementLoops<SmoothPrism>;
 
 } // namespace f2b
