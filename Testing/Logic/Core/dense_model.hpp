@@ -3,6 +3,7 @@
 #include "Core/element/quadrature_element.hpp"
 #include "Core/element/triangle_rule.hpp"
 #include "Core/mesh/smooth_skin.hpp"
+#include "Logic/Core/dense_stiffness.hpp"
 
 #include <Eigen/Cholesky>
 
@@ -158,7 +159,7 @@ private:
            Eigen::VectorXd& f, Eigen::MatrixXd* stiffness) const
   {
     const auto positions = gathered<Element>(x, controls);
-    typename Element::Stiffness K;
+    DenseStiffness<Element> K;
     const typename Element::Positions of_element =
         stiffness ? element_forces(element, positions, m_law, K)
                   : element_forces(element, positions, m_law);

@@ -112,7 +112,7 @@ TEST(SmoothPrism, ForcesAndStiffnessAreDerivatives)
   std::uniform_real_distribution<double> u(-0.1, 0.1);
   x += SmoothPrism::Positions::NullaryExpr([&]() { return u(generator); });
   const PlainNeoHookean law;
-  SmoothPrism::Stiffness K;
+  DenseStiffness<SmoothPrism> K;
   const auto f = element_forces(element, x, law, K);
   double force_error = 0, stiffness_error = 0;
   const double h = 1e-5;
@@ -142,7 +142,7 @@ TEST(SmoothPrism, ForcesAndStiffnessAreDerivatives)
 template <class Element>
 std::pair<int, double> loose_modes(const Element& element, const SmoothPrism::Positions& Q)
 {
-  typename Element::Stiffness K;
+  DenseStiffness<Element> K;
   element_forces(element, Q, PlainNeoHookean(), K);
   const Eigen::VectorXd spectrum =
       Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(K, Eigen::EigenvaluesOnly).eigenvalues();
