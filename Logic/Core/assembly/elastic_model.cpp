@@ -145,15 +145,15 @@ Eigen::VectorXd ElasticModel::forces(const std::vector<Vec3>& x) const
   return m_gather.forces(slots);
 }
 
-Eigen::VectorXd ElasticModel::linearize(const std::vector<Vec3>& x)
+Eigen::VectorXd ElasticModel::linearize(const std::vector<Vec3>& x, Tangent tangent)
 {
   std::vector<double> slots(3 * m_groups.slot_count());
   m_groups.for_each(
       [&](const auto& group)
       {
         using Group = std::decay_t<decltype(group)>;
-        ElementLoops<typename Group::Element>::stiffness(group, m_materials.of(group.tissue), x,
-                                                         slots, m_blocks, m_patches);
+        ElementLoops<typename Group::Element>::stiffness(group, m_materials.of(group.tissue),
+                                                         tangent, x, slots, m_blocks, m_patches);
       });
   add_spring_forces(x, slots);
   add_spring_stiffness();
@@ -222,6 +222,22 @@ void ElasticModel::add_patch_coupling(const std::vector<Vec3>& motion,
               growth * m_patches.scaled[first + static_cast<std::size_t>(i)];
     first += static_cast<std::size_t>(patch.count);
   }
+}
+
+std::vector<double> ElasticModel::dilatations(const std::vector<Vec3>& x) const
+{
+  std::vector<double> values;
+  m_groups.for_each(
+      [&](const auto& group)
+      {
+        using Element = typename std::decay_t<decltype(group)>::Element;
+        if (std::holds_alternative<LinearElastic>(m_materials.of(group.tissue)))
+          return;
+        const std::size_t first = values.size();
+        values.resize(first + group.elements.size() * Element::points);
+        ElementLoops<Element>::determinants(group, x, values.data() + first);
+      });
+  return values;
 }
 
 double ElasticModel::smallest_dilatation(const std::vector<Vec3>& x) const

@@ -35,7 +35,7 @@ public:
   /// Out-of-balance force dE/dx of the unknowns [N].
   Eigen::VectorXd forces(const std::vector<Vec3>& x) const;
   /// Forces as above; also refreshes `stiffness()` and what `coupling` needs.
-  Eigen::VectorXd linearize(const std::vector<Vec3>& x);
+  Eigen::VectorXd linearize(const std::vector<Vec3>& x, Tangent tangent = Tangent::Exact);
   /// The tangent of the unknowns at the last `linearize`.
   const SymmetricMatrix& stiffness() const { return m_stiffness; }
   /// Forces on the unknowns from a small motion of prescribed controls, by the last
@@ -43,6 +43,9 @@ public:
   /// \param motion  one change per control vector [mm]; those of unknowns are not used
   Eigen::VectorXd coupling(const std::vector<Vec3>& motion) const;
 
+  /// det F at every quadrature point that must not invert, that is with a hyperelastic law; always
+  /// in the same order.
+  std::vector<double> dilatations(const std::vector<Vec3>& x) const;
   /// Smallest det F at any quadrature point, whatever the law: positive if no element is inverted.
   double smallest_dilatation(const std::vector<Vec3>& x) const;
   /// Calls visit(tissue, F, mean rest position of the element's corners, volume at rest) for every quadrature

@@ -2,6 +2,7 @@
 
 #include "Core/element/mean_dilatation.hpp"
 #include "Core/element/smooth_prism.hpp"
+#include "Core/material/positive_tangent.hpp"
 
 #include <limits>
 
@@ -109,7 +110,7 @@ void set_patch_stiffness(const ElementGroup<Element>& group, const std::vector<V
 
 /// The rank-one stiffness of averaged dilatations.
 template <class L, class Element>
-void add_volume_stiffness(const ElementGroup<Element>& group, const L& law,
+void add_volume_stiffness(const ElementGroup<Element>& group, const L& law, Tangent tangent,
                           const std::vector<Vec3>& x, std::vector<double>& blocks,
                           PatchStiffness& patches)
 {
@@ -119,7 +120,9 @@ void add_volume_stiffness(const ElementGroup<Element>& group, const L& law,
   for (long d = 0; d < group.domain_count(); ++d)
   {
     const Domain<L, Element> domain(group, x, d);
-    const double c = AveragedPoint<L>::volume_curvature(law, domain.dilatation) / domain.volume;
+    double c = AveragedPoint<L>::volume_curvature(law, domain.dilatation) / domain.volume;
+    if (tangent == Tangent::Positive)
+      c = std::max(c, 0.0);
     if (group.in_patches())
       set_patch_stiffness(group, x, domain, d, c, patches);
     else
@@ -163,7 +166,7 @@ void ElementLoops<Element>::forces(const Group& group, const Law& law, const std
 }
 
 template <class Element>
-void ElementLoops<Element>::stiffness(const Group& group, const Law& law,
+void ElementLoops<Element>::stiffness(const Group& group, const Law& law, Tangent tangent,
                                       const std::vector<Vec3>& x, std::vector<double>& slots,
                                       std::vector<double>& blocks, PatchStiffness& patches)
 {
@@ -173,13 +176,34 @@ void ElementLoops<Element>::stiffness(const Group& group, const Law& law,
     for_each_element(group, l, x,
                      [&](long e, const auto& point)
                      {
+                       using Point = std::decay_t<decltype(point)>;
+                       double* K = &blocks[9 * group.block(e)];
+                       const Positions p = group.positions(x, e);
                        matrix_at<Positions>(slots, 3 * group.slot(e)) =
-                           element_forces(group.element(e), group.positions(x, e), point,
-                                          &blocks[9 * group.block(e)]);
+                           tangent == Tangent::Exact
+                               ? element_forces(group.element(e), p, point, K)
+                               : element_forces(group.element(e), p, PositiveTangent<Point>{point},
+                                                K);
                      });
-    add_volume_stiffness(group, l, x, blocks, patches);
+    add_volume_stiffness(group, l, tangent, x, blocks, patches);
   };
   std::visit(with_law, law);
+}
+
+template <class Element>
+void ElementLoops<Element>::determinants(const Group& group, const std::vector<Vec3>& x,
+                                         double* values)
+{
+#pragma omp parallel for schedule(static)
+  for (long e = 0; e < group.size(); ++e)
+  {
+    const auto positions = group.positions(x, e);
+    for (std::size_t q = 0; q < Element::points; ++q)
+    {
+      const Mat3 F = positions * group.element(e).gradients[q];
+      values[e * Element::points + static_cast<long>(q)] = F.determinant();
+    }
+  }
 }
 
 template <class Element>

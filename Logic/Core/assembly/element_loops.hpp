@@ -7,6 +7,13 @@
 namespace f2b
 {
 
+/// Which stiffness does a linearisation give?
+enum class Tangent
+{
+  Exact,    ///< d2E/dx2
+  Positive, ///< from point tangents made positive semi-definite: never indefinite
+};
+
 /// The rank-one stiffness of patches: c g g^T, by slots of control vectors.
 struct PatchStiffness
 {
@@ -30,9 +37,11 @@ struct ElementLoops
   /// \param[out] slots    as above
   /// \param[out] blocks   9 numbers per block of all groups [N/mm]
   /// \param[out] patches  of all groups
-  static void stiffness(const Group& group, const Law& law, const std::vector<Vec3>& x,
-                        std::vector<double>& slots, std::vector<double>& blocks,
-                        PatchStiffness& patches);
+  static void stiffness(const Group& group, const Law& law, Tangent tangent,
+                        const std::vector<Vec3>& x, std::vector<double>& slots,
+                        std::vector<double>& blocks, PatchStiffness& patches);
+  /// det F at the group's quadrature points, element by element.
+  static void determinants(const Group& group, const std::vector<Vec3>& x, double* values);
   /// Smallest det F at the group's quadrature points.
   static double smallest_determinant(const Group& group, const std::vector<Vec3>& x);
 };
