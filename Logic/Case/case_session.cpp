@@ -141,16 +141,39 @@ std::vector<Vec3> node_displacements(const MixedMesh& mesh, const std::vector<Ve
   return u;
 }
 
+namespace
+{
+
+/// Why a solve stopped, as the end of a sentence.
+const char* reason(Termination termination)
+{
+  switch (termination)
+  {
+  case Termination::TissueCollapses:
+    return "beyond that it would be crushed or torn inside out";
+  case Termination::EquilibriumLost:
+    return "beyond that no stable equilibrium was found";
+  case Termination::IterationLimit:
+    return "beyond that no equilibrium was found within the iterations that one movement is given";
+  case Termination::Converged:
+    break;
+  }
+  return "";
+}
+
+} // namespace
+
 void require_converged(const EquilibriumSummary& summary, const std::string& what)
 {
   if (summary.converged())
     return;
-  char share[32];
-  std::snprintf(share, sizeof share, "%.0f", 100 * summary.load_reached);
-  throw Error(
-      what, "the tissue could follow only " + std::string(share) + " % of the movement",
-      "state a smaller movement, or release more tissue along the cuts (mesh.release_margin_mm)",
-      ErrorKind::Numerical);
+  char problem[200];
+  std::snprintf(problem, sizeof problem, "the tissue could follow only %.0f %% of the movement: %s",
+                100 * summary.load_reached, reason(summary.termination));
+  throw Error(what, problem,
+              "state a smaller movement or one that does not run into bone, or release more tissue "
+              "along the cuts (mesh.release_margin_mm)",
+              ErrorKind::Numerical);
 }
 
 } // namespace f2b

@@ -72,7 +72,7 @@ json summary_json(const EquilibriumSummary& s)
           {"load_reached", s.load_reached},
           {"load_steps", s.load_steps},
           {"newton_iterations", s.newton_iterations},
-          {"factorizations", s.factorizations}};
+          {"factorizations", s.effort.factorizations}};
 }
 
 /// One run of the verb: the face, its target, and what the two methods find.

@@ -66,7 +66,7 @@ void predict_case(CaseSession& session)
              {{"seconds", watch.seconds()},
               {"load_steps", prediction.summary.load_steps},
               {"newton_iterations", prediction.summary.newton_iterations},
-              {"factorizations", prediction.summary.factorizations}});
+              {"factorizations", prediction.summary.effort.factorizations}});
   change.commit("predict");
   session.progress("predicted", 1);
 }

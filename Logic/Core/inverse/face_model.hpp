@@ -2,6 +2,7 @@
 
 #include "Core/assembly/elastic_model.hpp"
 #include "Core/geometry/rigid_motion.hpp"
+#include "Core/progress.hpp"
 #include "Core/solve/equilibrium.hpp"
 
 /// What do the forward and the inverse problem share?

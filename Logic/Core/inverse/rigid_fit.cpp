@@ -85,7 +85,7 @@ void Fit::normal_equations(Eigen::MatrixXd& H, Eigen::VectorXd& g)
     for (int p = 0; p < 6; ++p)
       motions.push_back(unit_motion(m_face.tissue.mesh(), m_x, static_cast<int>(f),
                                     m_motions[f].reference_point + m_motions[f].translation, p));
-  const auto responses = m_solver.respond(motions);
+  const auto responses = m_solver.respond(m_x, motions);
   // the skin's first-order change, by the linearity of the map from nodes to the reference skin
   std::vector<std::vector<Vec3>> columns;
   for (const auto& response : responses)
@@ -184,7 +184,6 @@ bool Fit::descend(const Eigen::MatrixXd& H, const Eigen::VectorXd& g)
       return true;
     }
     m_damping = m_damping == 0 ? 1e-2 : m_damping * 10;
-    m_result.equilibrium.add(m_solver.relax(m_x)); // the factor must be that of the state we keep
   }
   return false;
 }

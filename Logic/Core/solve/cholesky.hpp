@@ -37,6 +37,12 @@ public:
   /// Solves for several right-hand sides, one per column. The last factorisation succeeded.
   Eigen::MatrixXd solve(const Eigen::MatrixXd& right_hand_sides) const;
 
+  /// Floating-point operations of one numeric factorisation, and entries of the factor.
+  double flops() const;
+  double entries() const;
+  /// The most memory that analysis and factors have held at one time.
+  double peak_bytes() const;
+
 private:
   struct Factor;
   std::unique_ptr<Factor> m_factor;

@@ -5,20 +5,68 @@
 
 namespace f2b
 {
+namespace
+{
+
+/// Beyond it the tangent changes so much in one step that an exact one promises little.
+constexpr double near_mm = 0.1;
+
+double largest(const Eigen::MatrixXd& step)
+{
+  return step.size() ? step.lpNorm<Eigen::Infinity>() : 0;
+}
+
+double largest(const std::vector<Vec3>& motion)
+{
+  double length = 0;
+  for (const Vec3& m : motion)
+    length = std::max(length, m.lpNorm<Eigen::Infinity>());
+  return length;
+}
+
+} // namespace
+
+/// A state on its way to the target.
+struct EquilibriumSolver::Walk
+{
+  std::vector<Vec3>& accepted; ///< the last equilibrium
+  const std::vector<Vec3>& target;
+  EquilibriumSummary& summary;
+  int iterations_left;
+  std::vector<Vec3> x = accepted;
+  double remaining = 1; ///< share of the load that x does not carry yet
+  bool is_near = true;  ///< x is an equilibrium or close to one
+  double told = 0;
+
+  void accept()
+  {
+    accepted = x;
+    summary.load_reached = 1 - remaining;
+  }
+};
+
+/// How boldly the load is put on.
+struct EquilibriumSolver::Pace
+{
+  double least_volume_ratio; ///< of any quadrature point in one load step
+  bool settles;              ///< an equilibrium is found after each load step
+};
 
 void EquilibriumSummary::add(const EquilibriumSummary& other)
 {
   termination = other.termination;
   load_steps += other.load_steps;
   newton_iterations += other.newton_iterations;
-  factorizations += other.factorizations;
   load_reached = other.load_reached;
+  smallest_dilatation = other.smallest_dilatation;
   last_step_mm = other.last_step_mm;
   steps_mm.insert(steps_mm.end(), other.steps_mm.begin(), other.steps_mm.end());
+  residuals_n.insert(residuals_n.end(), other.residuals_n.begin(), other.residuals_n.end());
+  effort.add(other.effort);
 }
 
 EquilibriumSolver::EquilibriumSolver(ElasticModel& model, EquilibriumOptions options)
-    : m_model(model), m_options(options)
+    : m_model(model), m_options(options), m_tangents(model)
 {
 }
 
@@ -26,186 +74,249 @@ std::vector<Vec3> EquilibriumSolver::moved(const std::vector<Vec3>& x, const Eig
                                            double scale) const
 {
   std::vector<Vec3> result = x;
-  const auto& nodes = m_model.unknown_controls();
-  for (std::size_t i = 0; i < nodes.size(); ++i)
-    result[static_cast<std::size_t>(nodes[i])] +=
+  const auto& controls = m_model.unknown_controls();
+  for (std::size_t i = 0; i < controls.size(); ++i)
+    result[static_cast<std::size_t>(controls[i])] +=
         scale * step.segment<3>(3 * static_cast<Eigen::Index>(i));
   return result;
 }
 
-/// Factorises the current stiffness, adding to its diagonal while it is not positive definite.
-void EquilibriumSolver::factorize(EquilibriumSummary& summary)
+double EquilibriumSolver::energy(const std::vector<Vec3>& x)
 {
-  if (!m_analyzed)
-    m_cholesky.analyze(m_model.stiffness());
-  m_analyzed = true;
-  ++summary.factorizations;
-  if (m_cholesky.factorize(m_model.stiffness()))
-    return;
-  SymmetricMatrix shifted = m_model.stiffness();
-  auto diagonal = [&](long c) -> double&
-  {
-    return shifted
-        .value[static_cast<std::size_t>(shifted.column_start[static_cast<std::size_t>(c)])];
-  };
-  double largest = 0;
-  for (long c = 0; c < shifted.size; ++c)
-    largest = std::max(largest, std::abs(diagonal(c)));
-  double added = 0;
-  for (double shift = std::max(1e-4 * largest, 0.2 * m_shift);; shift *= 5)
-  {
-    for (long c = 0; c < shifted.size; ++c)
-      diagonal(c) += shift - added;
-    added = shift;
-    ++summary.factorizations;
-    if (m_cholesky.factorize(shifted))
-      break;
-  }
-  m_shift = added;
+  const TimedPart time(m_tangents.effort().energy);
+  ++m_tangents.effort().energy_evaluations;
+  return m_model.energy(x);
 }
 
-/// Takes the longest of the steps 1, 1/2, 1/4, ... that is admissible.
-bool EquilibriumSolver::line_search(std::vector<Vec3>& x, const Eigen::VectorXd& forces,
+/// Whether no quadrature point shrinks below a share of its volume `before`, or grows as much.
+bool EquilibriumSolver::keeps_volume(const std::vector<double>& before, const std::vector<Vec3>& x,
+                                     double share)
+{
+  const TimedPart time(m_tangents.effort().energy);
+  const std::vector<double> after = m_model.dilatations(x);
+  for (std::size_t q = 0; q < after.size(); ++q)
+    if (!(after[q] > share * before[q] && share * after[q] < before[q]))
+      return false;
+  return true;
+}
+
+/// Half of what is told is the load, half the digits of the final steps.
+void EquilibriumSolver::tell(Walk& walk) const
+{
+  if (!m_progress)
+    return;
+  double digits = 0;
+  if (walk.remaining == 0 && !walk.summary.steps_mm.empty())
+    digits = std::log(std::clamp(walk.summary.last_step_mm, m_options.step_tolerance_mm, 1.0)) /
+             std::log(std::min(0.5, m_options.step_tolerance_mm));
+  walk.told = std::max(walk.told, 0.5 * (1 - walk.remaining) + 0.5 * digits);
+  m_progress(walk.told);
+}
+
+/// Takes the longest of the steps 1, 1/2, 1/4, ... that lowers the energy enough and crushes
+/// nothing.
+bool EquilibriumSolver::line_search(Walk& walk, const Eigen::VectorXd& forces,
                                     const Eigen::VectorXd& step)
 {
-  const double energy = m_model.energy(x);
+  const double before = energy(walk.x);
   const double slope = forces.dot(step);
+  const std::vector<double> volumes = m_model.dilatations(walk.x);
   // below this, a difference of two energies is rounding
-  const double noise = 1e-13 * std::abs(energy) + 1e-300;
+  const double noise = 1e-12 * std::abs(before) + 1e-300;
   for (double scale = 1; scale > 1e-4; scale /= 2)
   {
-    std::vector<Vec3> trial = moved(x, step, scale);
-    const double trial_energy = m_model.energy(trial);
-    if (trial_energy <= energy + 1e-4 * scale * slope + noise)
+    std::vector<Vec3> trial = moved(walk.x, step, scale);
+    if (energy(trial) <= before + 1e-4 * scale * slope + noise && keeps_volume(volumes, trial, 0.1))
     {
-      x = std::move(trial);
+      walk.x = std::move(trial);
       return true;
     }
   }
   return false;
 }
 
-bool EquilibriumSolver::newton(std::vector<Vec3>& x, EquilibriumSummary& summary)
+/// The length of the step that was taken; nothing if none lowers the energy.
+std::optional<double> EquilibriumSolver::newton_iteration(Walk& walk, double forcing)
 {
-  m_factor_is_current = false;
-  for (int iteration = 0; iteration < m_options.max_newton_iterations; ++iteration)
+  tell(walk);
+  const Eigen::VectorXd forces = m_tangents.linearize(walk.x);
+  const auto exact = walk.is_near ? m_tangents.solve(-forces, forcing)
+                                  : m_tangents.solve_by_old_factor(-forces, forcing);
+  Eigen::VectorXd step = exact ? *exact : m_tangents.solve_positive(-forces);
+  const double length = largest(step);
+  EquilibriumSummary& summary = walk.summary;
+  ++summary.newton_iterations;
+  --walk.iterations_left;
+  summary.last_step_mm = length;
+  summary.steps_mm.push_back(length);
+  summary.residuals_n.push_back(forces.norm());
+  if (!std::isfinite(length))
+    return std::nullopt;
+  if (length < m_options.step_tolerance_mm)
   {
-    const Eigen::VectorXd forces = m_model.linearize(x);
-    const Eigen::VectorXd step = newton_step(forces, summary);
-    ++summary.newton_iterations;
-    summary.last_step_mm = step.size() ? step.lpNorm<Eigen::Infinity>() : 0;
-    summary.steps_mm.push_back(summary.last_step_mm);
-    if (!std::isfinite(summary.last_step_mm))
+    walk.x = moved(walk.x, step, 1);
+    return length;
+  }
+  if (line_search(walk, forces, step))
+    return length;
+  if (!exact)
+    return std::nullopt;
+  step = m_tangents.solve_positive(-forces);
+  if (line_search(walk, forces, step))
+    return std::max(largest(step), m_options.step_tolerance_mm);
+  return std::nullopt;
+}
+
+bool EquilibriumSolver::newton(Walk& walk)
+{
+  double length = 1;
+  for (int i = 0; i < m_options.max_newton_iterations && walk.iterations_left > 0; ++i)
+  {
+    // as tight as quadratic convergence asks for, with 1 mm as the scale
+    const double forcing = std::clamp(0.1 * length, 1e-9, 0.1);
+    const std::optional<double> taken = newton_iteration(walk, forcing);
+    if (!taken)
       return false;
-    if (summary.last_step_mm < m_options.step_tolerance_mm)
-    {
-      x = moved(x, step, 1);
-      m_factor_is_current = true;
+    length = *taken;
+    walk.is_near = length < near_mm;
+    if (length < m_options.step_tolerance_mm)
       return true;
-    }
-    if (!line_search(x, forces, step))
-      return false;
   }
   return false;
 }
 
-Eigen::VectorXd EquilibriumSolver::newton_step(const Eigen::VectorXd& forces,
-                                               EquilibriumSummary& summary)
+/// The step to equilibrium, and how the unknowns follow the whole remaining motion.
+Eigen::MatrixXd EquilibriumSolver::load_directions(Walk& walk, const std::vector<Vec3>& motion)
 {
-  if (forces.size() == 0)
-    return forces;
-  factorize(summary);
-  return -m_cholesky.solve(forces);
+  constexpr double tolerance = 0.02; // Newton's method comes after it
+  Eigen::MatrixXd loads(m_model.unknown_count(), 2);
+  loads.col(0) = -m_tangents.linearize(walk.x);
+  loads.col(1) = -m_tangents.coupling(motion, Tangent::Exact);
+  const auto exact = walk.is_near ? m_tangents.solve(loads, tolerance)
+                                  : m_tangents.solve_by_old_factor(loads, tolerance);
+  if (exact)
+    return *exact;
+  loads.col(1) = -m_tangents.coupling(motion, Tangent::Positive);
+  return m_tangents.solve_positive(loads);
 }
 
-/// First guess after a share of the way to the target, by the current tangent; the factor is
-/// current.
-std::vector<Vec3> EquilibriumSolver::predict(const std::vector<Vec3>& x,
-                                             const std::vector<Vec3>& target, double share)
+/// Puts on as much of the remaining load as the pace allows; false if that is too little.
+bool EquilibriumSolver::advance(Walk& walk, const Pace& pace)
 {
-  std::vector<Vec3> motion(x.size(), Vec3::Zero());
-  for (std::size_t node = 0; node < x.size(); ++node)
-    if (m_model.is_prescribed(static_cast<int>(node)))
-      motion[node] = share * (target[node] - x[node]);
-  std::vector<Vec3> result = x;
-  const std::vector<Vec3> response = respond({motion}).front();
-  for (std::size_t node = 0; node < x.size(); ++node)
-    result[node] += m_model.is_prescribed(static_cast<int>(node)) ? motion[node] : response[node];
-  return result;
-}
-
-EquilibriumSummary EquilibriumSolver::relax(std::vector<Vec3>& x)
-{
-  EquilibriumSummary summary;
-  std::vector<Vec3> trial = x;
-  if (newton(trial, summary))
+  tell(walk);
+  --walk.iterations_left;
+  ++walk.summary.newton_iterations;
+  std::vector<Vec3> motion(walk.x.size(), Vec3::Zero());
+  for (std::size_t i = 0; i < motion.size(); ++i)
+    if (m_model.is_prescribed(static_cast<int>(i)))
+      motion[i] = walk.target[i] - walk.x[i];
+  const Eigen::MatrixXd directions = load_directions(walk, motion);
+  const std::vector<double> volumes = m_model.dilatations(walk.x);
+  for (double share = 1; share == 1 || share * walk.remaining > m_options.smallest_load_step;
+       share *= 0.7)
   {
-    x = std::move(trial);
-    summary.load_reached = 1;
+    std::vector<Vec3> trial = moved(walk.x, directions.col(0) + share * directions.col(1), 1);
+    for (std::size_t i = 0; i < trial.size(); ++i)
+      trial[i] += share * motion[i];
+    if (!keeps_volume(volumes, trial, pace.least_volume_ratio))
+      continue;
+    walk.x = std::move(trial);
+    walk.remaining = share == 1 ? 0 : walk.remaining * (1 - share);
+    walk.is_near = walk.is_near && share * largest(motion) < near_mm;
+    ++walk.summary.load_steps;
+    return true;
   }
-  else
-    summary.termination = Termination::LoadStepTooSmall;
-  return summary;
+  return false;
+}
+
+/// Walks on until the target is reached or no way leads on.
+Termination EquilibriumSolver::walk(Walk& walk, const Pace& pace)
+{
+  bool at_equilibrium = false;
+  for (;;)
+  {
+    const bool stepped = walk.remaining > 0 && walk.iterations_left > 0 && advance(walk, pace);
+    if (stepped && walk.remaining > 0 && !pace.settles)
+    {
+      at_equilibrium = false;
+      continue;
+    }
+    if (!stepped && at_equilibrium)
+      return Termination::TissueCollapses;
+    if (!newton(walk))
+      return walk.iterations_left > 0 ? Termination::EquilibriumLost : Termination::IterationLimit;
+    walk.accept();
+    if (walk.remaining == 0)
+      return Termination::Converged;
+    at_equilibrium = true;
+  }
+}
+
+void EquilibriumSolver::finish(EquilibriumSummary& summary, const std::vector<Vec3>& x)
+{
+  const std::vector<double> volumes = m_model.dilatations(x);
+  if (!volumes.empty())
+    summary.smallest_dilatation = *std::min_element(volumes.begin(), volumes.end());
+  summary.effort = m_tangents.take_effort();
 }
 
 EquilibriumSummary EquilibriumSolver::move_to(std::vector<Vec3>& x, const std::vector<Vec3>& target)
 {
   EquilibriumSummary summary;
-  if (!m_factor_is_current)
   {
-    summary = relax(x);
-    if (!summary.converged())
-      return summary;
-    summary.load_reached = 0;
-  }
-  double step = 1;
-  while (summary.load_reached < 1)
-  {
-    if (m_progress)
-      m_progress(summary.load_reached);
-    step = std::min(step, 1 - summary.load_reached);
-    // shares of what remains: the prescribed nodes are at `load_reached` of the way in x
-    std::vector<Vec3> trial = predict(x, target, step / (1 - summary.load_reached));
-    const bool admissible = std::isfinite(m_model.energy(trial));
-    if (admissible && newton(trial, summary))
+    const TimedPart time(m_tangents.effort().total);
+    const int half = m_options.max_total_iterations / 2;
+    Walk bold{x, target, summary, half};
+    summary.termination = walk(bold, {0.3, false});
+    if (summary.termination == Termination::EquilibriumLost ||
+        summary.termination == Termination::IterationLimit)
     {
-      x = std::move(trial);
-      summary.load_reached = step >= 1 - summary.load_reached ? 1 : summary.load_reached + step;
-      ++summary.load_steps;
-      step *= 2;
-      continue;
-    }
-    step /= 2;
-    if (step < m_options.smallest_load_step ||
-        summary.newton_iterations > m_options.max_total_iterations)
-    {
-      summary.termination = Termination::LoadStepTooSmall;
-      return summary;
-    }
-    if (!m_factor_is_current)
-    {
-      m_model.linearize(x);
-      factorize(summary);
-      m_factor_is_current = true;
+      Walk careful{x, target, summary, half + bold.iterations_left};
+      careful.remaining = 1 - summary.load_reached;
+      careful.told = bold.told;
+      summary.termination = walk(careful, {0.6, true});
     }
   }
+  finish(summary, x);
+  return summary;
+}
+
+EquilibriumSummary EquilibriumSolver::relax(std::vector<Vec3>& x)
+{
+  EquilibriumSummary summary;
+  {
+    const TimedPart time(m_tangents.effort().total);
+    m_tangents.forget_state();
+    Walk walk{x, x, summary, m_options.max_total_iterations};
+    walk.remaining = 0;
+    if (newton(walk))
+      walk.accept();
+    else
+      summary.termination = Termination::EquilibriumLost;
+  }
+  finish(summary, x);
   return summary;
 }
 
 std::vector<std::vector<Vec3>>
-EquilibriumSolver::respond(const std::vector<std::vector<Vec3>>& motions)
+EquilibriumSolver::respond(const std::vector<Vec3>& x,
+                           const std::vector<std::vector<Vec3>>& motions)
 {
+  const TimedPart time(m_tangents.effort().total);
+  (void)m_tangents.linearize(x);
   Eigen::MatrixXd loads(m_model.unknown_count(), static_cast<Eigen::Index>(motions.size()));
   for (std::size_t m = 0; m < motions.size(); ++m)
-    loads.col(static_cast<Eigen::Index>(m)) = -m_model.coupling(motions[m]);
-  const Eigen::MatrixXd answers = loads.rows() ? m_cholesky.solve(loads) : loads;
-  const auto& nodes = m_model.unknown_controls();
+    loads.col(static_cast<Eigen::Index>(m)) = -m_tangents.coupling(motions[m], Tangent::Exact);
+  // an equilibrium without a positive definite tangent is none that could be kept
+  const auto exact = m_tangents.solve(loads, 1e-10);
+  const Eigen::MatrixXd answers = exact ? *exact : m_tangents.solve_positive(loads);
+  const auto& controls = m_model.unknown_controls();
   std::vector<std::vector<Vec3>> responses;
   for (std::size_t m = 0; m < motions.size(); ++m)
   {
     std::vector<Vec3> response(motions[m].size(), Vec3::Zero());
-    for (std::size_t i = 0; i < nodes.size(); ++i)
-      response[static_cast<std::size_t>(nodes[i])] =
+    for (std::size_t i = 0; i < controls.size(); ++i)
+      response[static_cast<std::size_t>(controls[i])] =
           answers.col(static_cast<Eigen::Index>(m)).segment<3>(3 * static_cast<Eigen::Index>(i));
     responses.push_back(std::move(response));
   }
