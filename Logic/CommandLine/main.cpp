@@ -1,4 +1,5 @@
 #include "Bridge/json_file.hpp"
+#include "Case/fit_summary.hpp"
 #include "Case/verbs.hpp"
 #include "CommandLine/plan_table.hpp"
 #include "CommandLine/progress_bar.hpp"
@@ -34,6 +35,7 @@ struct Arguments
   double warp_radius_mm = 45;
   std::vector<std::string> movements;
   SampleOptions sample;
+  FitMaterialOptions fit;
 };
 
 using Action = std::function<void(const Arguments&, const Progress&)>;
@@ -157,6 +159,41 @@ void add_sample(CLI::App& app, Arguments& a, std::map<CLI::App*, Action>& action
   { write_sample(args.folder, args.sample, progress); };
 }
 
+void fit(const Arguments& a, const Progress&)
+{
+  const FitMaterialResult result = fit_material(a.fit);
+  for (const FittedCurve& curve : result.fits)
+    std::cout << fit_summary(curve);
+  std::cout << "Material: " << result.files[0].string() << "\nPlot: " << result.files[1].string()
+            << "\n";
+}
+
+void add_fit_material(CLI::App& app, Arguments& a, std::map<CLI::App*, Action>& actions)
+{
+  CLI::App* verb = app.add_subcommand(
+      "fit-material", "Fit a tissue's law to a stress-strain table; writes material and plot");
+  auto* data = verb->add_option("DATA", a.fit.data,
+                                "Table with '# test: uniaxial' (equibiaxial, simple-shear) and a "
+                                "header such as stretch,nominal_stress_kPa");
+  auto* table1 = verb->add_option_function<std::string>(
+      "--table1",
+      [&a](const std::string& tissue)
+      {
+        a.fit.table1 = true;
+        a.fit.tissue = tissue;
+      },
+      "Fit the curves of the paper's Table 1 instead: skin, fat, muscle, or all");
+  table1->expected(0, 1)->excludes(data)->type_name("[TISSUE]");
+  verb->add_option("--law", a.fit.law, "yeoh, neo-hookean or mooney-rivlin")->capture_default_str();
+  verb->add_flag("--stable", a.fit.stable, "Keep every coefficient >= 0");
+  verb->add_option("--poisson-ratio", a.fit.poisson_ratio,
+                   "Of the material that is written [0.49, or Table 1's]; the fit is "
+                   "incompressible")
+      ->check(within(-0.99, 0.4999));
+  verb->add_option("-o,--output", a.fit.folder, "Folder for the files")->capture_default_str();
+  actions[verb] = fit;
+}
+
 Action on_case(void (*verb)(CaseSession&))
 {
   return [verb](const Arguments& a, const Progress& progress)
@@ -192,6 +229,7 @@ std::map<CLI::App*, Action> add_verbs(CLI::App& app, Arguments& a)
   actions[add_movements(add_verb(app, a, "predict", "Predict the face that a bone movement gives"),
                         a)] = predict;
   actions[add_verb(app, a, "report", "Draw pictures and write report.html")] = on_case(report_case);
+  add_fit_material(app, a, actions);
   return actions;
 }
 
