@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numeric>
 #include <random>
@@ -156,7 +157,7 @@ TEST(SplitPrism, AllOrdersOfTheNodesGiveThreePositiveTetrahedra)
     for (std::size_t i = 0; i < 6; ++i)
       renamed.X[std::size_t(order[i])] = mesh.X[i];
     double total = 0;
-    for (const Tet& tet : split_prism(order))
+    for (const Tet& tet : split_prism(order, cut_by_node_number(order)))
     {
       EXPECT_NEAR(volume_of(renamed, tet), 1.0 / 6, 1e-15);
       total += volume_of(renamed, tet);
@@ -165,6 +166,45 @@ TEST(SplitPrism, AllOrdersOfTheNodesGiveThreePositiveTetrahedra)
     ++orders;
   } while (std::next_permutation(order.begin(), order.end()));
   EXPECT_EQ(orders, 720);
+}
+
+TEST(SplitPrism, AllSixCutsFillAPrism)
+{
+  MixedMesh mesh;
+  mesh.X = {{0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  for (unsigned pattern = 1; pattern < 7; ++pattern)
+    for (const Tet& tet : split_prism({0, 1, 2, 3, 4, 5},
+                                      {(pattern & 1) != 0, (pattern & 2) != 0, (pattern & 4) != 0}))
+      EXPECT_NEAR(volume_of(mesh, tet), 1.0 / 6, 1e-15) << pattern;
+}
+
+TEST(SplitPrism, QuadsThatTheNodeNumbersCutBadlyAreCutOtherwiseOnBothSides)
+{
+  int bad = 0;
+  for (unsigned seed = 0; seed < 10; ++seed)
+  {
+    MixedMesh mesh = shuffled(flat, seed);
+    std::mt19937 generator(seed);
+    std::uniform_real_distribution<double> shift(-4.6, 4.6);
+    for (std::size_t n = 0; n < mesh.X.size(); ++n)
+      if (mesh.X[n].z() > 11 && generator() % 6 == 0)
+        mesh.X[n] += Vec3(shift(generator), shift(generator), 0.1 * shift(generator));
+    for (const auto& prism : mesh.prisms)
+      for (const Tet& tet : split_prism(prism, cut_by_node_number(prism)))
+        bad += volume_of(mesh, tet) <= 0;
+    const MixedMesh split = split_prisms(mesh);
+    for (const Tet& tet : split.tets)
+      EXPECT_GT(volume_of(split, tet), 0);
+    std::map<Triangle, int> count;
+    for (const TetFace& face : sorted_tet_faces(split.tets))
+      ++count[face.key];
+    std::size_t outside = 0;
+    for (const auto& [key, times] : count)
+      outside += times == 1;
+    const BoundaryFacets before = boundary_facets(mesh);
+    EXPECT_EQ(outside, before.skin.size() + before.inner.size() + 2 * before.sides.size());
+  }
+  EXPECT_GT(bad, 0) << "nothing had to be mended";
 }
 
 TEST(SplitPrism, AWarpedPrismIsRefusedWithItsPlace)
