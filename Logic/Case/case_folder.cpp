@@ -110,12 +110,21 @@ const std::vector<std::string>& outdated_by(const std::string& step)
 {
   static const std::map<std::string, std::vector<std::string>> table = {
       {"sample", {"sample"}},
-      {"segment", {"segment", "cut", "mesh", "target", "plan", "predict", "report"}},
-      {"cut", {"cut", "mesh", "plan", "predict", "report"}},
-      {"mesh", {"mesh", "plan", "predict", "report"}},
-      {"target", {"target", "plan", "predict", "report"}},
-      {"plan", {"plan", "predict", "report"}},
+      {"segment",
+       {"segment", "cut", "mesh", "target", "plan", "predict", "report", "export calculix",
+        "export febio", "export vtu"}},
+      {"cut",
+       {"cut", "mesh", "plan", "predict", "report", "export calculix", "export febio",
+        "export vtu"}},
+      {"mesh",
+       {"mesh", "plan", "predict", "report", "export calculix", "export febio", "export vtu"}},
+      {"target",
+       {"target", "plan", "predict", "report", "export calculix", "export febio", "export vtu"}},
+      {"plan", {"plan", "predict", "report", "export calculix", "export febio", "export vtu"}},
       {"predict", {"predict", "report"}},
+      {"export calculix", {"export calculix"}},
+      {"export febio", {"export febio"}},
+      {"export vtu", {"export vtu"}},
       {"report", {"report"}}};
   return table.at(step);
 }
@@ -256,6 +265,9 @@ const std::vector<std::string>& case_file_names()
                                                  "predict.json",
                                                  "predicted.vtp",
                                                  "predicted.vtu",
+                                                 "export.inp",
+                                                 "export.feb",
+                                                 "export.vtu",
                                                  "report.html"};
   return names;
 }

@@ -112,6 +112,40 @@ std::vector<RigidMotion> stated_motions(const Movements& movements, const Loaded
   return motions;
 }
 
+namespace
+{
+
+RigidMotion motion_from(const json& fragment)
+{
+  RigidMotion motion;
+  motion.reference_point = vec3_from(fragment.at("reference_point_ras"));
+  const json& t = fragment.at("translation_mm");
+  motion.translation = {t.at("right").get<double>(), t.at("anterior").get<double>(),
+                        t.at("superior").get<double>()};
+  for (int r = 0; r < 3; ++r)
+    for (int c = 0; c < 3; ++c)
+      motion.rotation(r, c) =
+          fragment.at("matrix_ras").at(static_cast<std::size_t>(4 * r + c)).get<double>();
+  return motion;
+}
+
+} // namespace
+
+std::vector<RigidMotion> motions_to_predict(const CaseSession& session, const LoadedFace& face)
+{
+  if (!session.settings.predict.empty())
+    return stated_motions(session.settings.predict, face, "'/predict'");
+  if (!session.folder.has("plan.json"))
+    throw Error(session.folder.path().string(),
+                "it states no movement to predict and has no plan.json",
+                "give --movement, or run 'facetobone plan' first");
+  std::vector<RigidMotion> motions;
+  const json plan = read_json(session.folder.file("plan.json"));
+  for (const json& fragment : plan.at("methods").at("rigid-fit").at("fragments"))
+    motions.push_back(motion_from(fragment));
+  return motions;
+}
+
 void write_moved_fragment(const CaseFolder& folder, const std::string& fragment,
                           const RigidMotion& motion, const Path& file)
 {

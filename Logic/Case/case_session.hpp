@@ -78,6 +78,8 @@ EquilibriumOptions equilibrium_options(const CaseSettings& settings);
 /// Throws Error for a name that is no fragment.
 std::vector<RigidMotion> stated_motions(const Movements& movements, const LoadedFace& face,
                                         const std::string& source);
+/// The movements that the case states for `predict`, or its plan's; throws Error if it has neither.
+std::vector<RigidMotion> motions_to_predict(const CaseSession& session, const LoadedFace& face);
 /// Writes a fragment's surface where a movement takes it.
 void write_moved_fragment(const CaseFolder& folder, const std::string& fragment,
                           const RigidMotion& motion, const Path& file);

@@ -20,6 +20,15 @@ void target_case(CaseSession& session);
 void plan_case(CaseSession& session);
 /// The face that stated movements give.
 void predict_case(CaseSession& session);
+struct ExportOptions
+{
+  std::string format = "calculix"; ///< calculix, febio or vtu
+  Path file;                       ///< outside the case; empty: export.inp, .feb or .vtu in it
+  bool split_prisms = false;       ///< each prism of the skin as three tetrahedra
+  int increments = 10;             ///< of the movement, for calculix and febio
+};
+/// The forward problem of a movement, for other engines.
+void export_case(CaseSession& session, const ExportOptions& options);
 /// Pictures and report.html.
 void report_case(CaseSession& session);
 

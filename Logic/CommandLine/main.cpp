@@ -36,6 +36,7 @@ struct Arguments
   std::vector<std::string> movements;
   SampleOptions sample;
   FitMaterialOptions fit;
+  ExportOptions exported;
 };
 
 using Action = std::function<void(const Arguments&, const Progress&)>;
@@ -94,6 +95,17 @@ void predict(const Arguments& a, const Progress& progress)
     document["predict"] = movements_from_arguments(a.movements);
   session.change_settings(document, from_arguments);
   predict_case(session);
+}
+
+/// Leaves the case's own movement as it is: the deck states its own.
+void export_deck(const Arguments& a, const Progress& progress)
+{
+  CaseSession session = CaseSession::open(a.folder, progress);
+  nlohmann::json document = session.document;
+  if (!a.movements.empty())
+    document["predict"] = movements_from_arguments(a.movements);
+  session.change_settings(document, from_arguments);
+  export_case(session, a.exported);
 }
 
 /// Adds a verb that reads and writes one case folder.
@@ -194,6 +206,23 @@ void add_fit_material(CLI::App& app, Arguments& a, std::map<CLI::App*, Action>& 
   actions[verb] = fit;
 }
 
+void add_export(CLI::App& app, Arguments& a, std::map<CLI::App*, Action>& actions)
+{
+  CLI::App* verb = add_movements(
+      add_verb(app, a, "export", "Write the forward problem of a movement for another engine"), a);
+  verb->add_option("--format", a.exported.format,
+                   "calculix (.inp), febio (.feb 4.0) or vtu (mesh, tissues, boundary, movement)")
+      ->required()
+      ->check(CLI::IsMember({"calculix", "febio", "vtu"}));
+  verb->add_option("-o,--output", a.exported.file, "File to write; export.* in DIR where absent");
+  verb->add_flag("--split-prisms", a.exported.split_prisms,
+                 "Tetrahedra only: three for each prism of the skin");
+  verb->add_option("--increments", a.exported.increments, "Equal shares of the movement")
+      ->check(within(1, 1000))
+      ->capture_default_str();
+  actions[verb] = export_deck;
+}
+
 Action on_case(void (*verb)(CaseSession&))
 {
   return [verb](const Arguments& a, const Progress& progress)
@@ -228,6 +257,7 @@ std::map<CLI::App*, Action> add_verbs(CLI::App& app, Arguments& a)
       on_case(plan_case);
   actions[add_movements(add_verb(app, a, "predict", "Predict the face that a bone movement gives"),
                         a)] = predict;
+  add_export(app, a, actions);
   actions[add_verb(app, a, "report", "Draw pictures and write report.html")] = on_case(report_case);
   add_fit_material(app, a, actions);
   return actions;

@@ -45,7 +45,8 @@ void commit(CaseFolder& folder, const std::string& step, const Files& files)
 /// One file per step, named after it.
 void make_case(CaseFolder& folder)
 {
-  for (const char* step : {"segment", "cut", "mesh", "target", "plan", "predict", "report"})
+  for (const char* step : {"segment", "cut", "mesh", "target", "plan", "predict", "report",
+                           "export calculix", "export febio", "export vtu"})
     commit(folder, step, {{std::string(step) + ".txt", step}, {"case.json", step}});
 }
 
@@ -77,12 +78,16 @@ TEST(CaseFolder, DroppedChangeLeavesNothing)
 TEST(CaseFolder, StaleResultsGoAndOthersStay)
 {
   const std::map<std::string, std::vector<std::string>> stale = {
-      {"segment", {"cut", "mesh", "target", "plan", "predict", "report"}},
-      {"cut", {"mesh", "plan", "predict", "report"}},
-      {"mesh", {"plan", "predict", "report"}},
-      {"target", {"plan", "predict", "report"}},
-      {"plan", {"predict", "report"}},
+      {"segment",
+       {"cut", "mesh", "target", "plan", "predict", "report", "export calculix", "export febio",
+        "export vtu"}},
+      {"cut",
+       {"mesh", "plan", "predict", "report", "export calculix", "export febio", "export vtu"}},
+      {"mesh", {"plan", "predict", "report", "export calculix", "export febio", "export vtu"}},
+      {"target", {"plan", "predict", "report", "export calculix", "export febio", "export vtu"}},
+      {"plan", {"predict", "report", "export calculix", "export febio", "export vtu"}},
       {"predict", {"report"}},
+      {"export calculix", {}},
       {"report", {}}};
   for (const auto& [step, gone] : stale)
   {
