@@ -75,8 +75,7 @@ void ElementGroups::add_smooth_prisms(const Discretization& tissue)
   group.elements.resize(group.controls.size());
 #pragma omp parallel for schedule(static)
   for (int prism = 0; prism < count; ++prism)
-    group.elements[static_cast<std::size_t>(prism)] =
-        make_smooth_prism<6>(group.positions(tissue.rest(), prism), skin.face_map(prism));
+    group.elements[static_cast<std::size_t>(prism)] = skin.element(prism);
   std::get<2>(m_kinds).push_back(std::move(group));
 }
 

@@ -2,50 +2,39 @@
 
 #include "Core/element/quadrature_element.hpp"
 #include "Core/element/triangle_rule.hpp"
+#include "Core/material/hyperelastic.hpp"
 #include "Core/mesh/smooth_skin.hpp"
-#include "Logic/Core/dense_stiffness.hpp"
 
-#include <Eigen/Cholesky>
-
-#include <limits>
+#include <Eigen/LU>
 
 /// Small problems with smooth prisms, assembled without the sparse machinery under test.
 namespace f2b::testing
 {
 
-/// Compressible neo-Hookean solid: mu/2 (F:F - 3 - 2 ln J) + lambda/2 (ln J)^2.
-struct PlainNeoHookean
+/// Poisson's ratio 0.4.
+inline NeoHookean test_law()
 {
-  double mu = 0.02, lambda = 0.08; ///< [MPa]
+  return {{0.01}, {VolumetricLaw::Kind::Logarithmic, 0.0933}};
+}
 
-  double energy(const Mat3& F) const
-  {
-    const double J = F.determinant();
-    if (!(J > 0))
-      return std::numeric_limits<double>::infinity();
-    return 0.5 * mu * (F.squaredNorm() - 3 - 2 * std::log(J)) +
-           0.5 * lambda * std::log(J) * std::log(J);
-  }
-  Mat3 stress(const Mat3& F) const
-  {
-    const Mat3 T = F.inverse().transpose();
-    return mu * (F - T) + lambda * std::log(F.determinant()) * T;
-  }
-  Mat3 stress(const Mat3& F, Eigen::Matrix<double, 9, 9>& tangent) const
-  {
-    const Mat3 T = F.inverse().transpose();
-    const double lnJ = std::log(F.determinant());
-    for (int l = 0; l < 3; ++l)
-      for (int k = 0; k < 3; ++k)
-      {
-        // d F^-T_ij / d F_kl = -F^-T_il F^-T_kj
-        Mat3 d = (mu - lambda * lnJ) * T.col(l) * T.row(k) + lambda * T(k, l) * T;
-        d(k, l) += mu;
-        tangent.col(3 * l + k) = Eigen::Map<Eigen::Matrix<double, 9, 1>>(d.data());
-      }
-    return stress(F);
-  }
-};
+/// Stiffness of an element as a full matrix [N/mm].
+template <class Element>
+Eigen::MatrixXd full_stiffness(const Element& element, const typename Element::Positions& x,
+                               const NeoHookean& law)
+{
+  constexpr int n = Element::corners;
+  std::vector<double> blocks(9 * block_count(n));
+  (void)element_forces(element, x, law, blocks.data());
+  Eigen::MatrixXd K(3 * n, 3 * n);
+  for (int b = 0; b < n; ++b)
+    for (int a = b; a < n; ++a)
+    {
+      const Eigen::Map<const Mat3> block(&blocks[std::size_t(9 * block_index(n, a, b))]);
+      K.block<3, 3>(3 * a, 3 * b) = block;
+      K.block<3, 3>(3 * b, 3 * a) = block.transpose();
+    }
+  return K;
+}
 
 /// Tetrahedra and smooth prisms of a mesh, one law, all control vectors in one dense matrix.
 template <class Prism>
@@ -141,7 +130,7 @@ public:
   }
 
   const std::vector<Prism>& prisms() const { return m_prisms; }
-  const PlainNeoHookean& law() const { return m_law; }
+  const NeoHookean& law() const { return m_law; }
 
   template <class Element, std::size_t N>
   static typename Element::Positions gathered(const std::vector<Vec3>& x,
@@ -159,22 +148,21 @@ private:
            Eigen::VectorXd& f, Eigen::MatrixXd* stiffness) const
   {
     const auto positions = gathered<Element>(x, controls);
-    DenseStiffness<Element> K;
-    const typename Element::Positions of_element =
-        stiffness ? element_forces(element, positions, m_law, K)
-                  : element_forces(element, positions, m_law);
+    const typename Element::Positions of_element = element_forces(element, positions, m_law);
+    const Eigen::MatrixXd K =
+        stiffness ? full_stiffness(element, positions, m_law) : Eigen::MatrixXd();
     for (std::size_t a = 0; a < N; ++a)
     {
       const auto i = static_cast<Eigen::Index>(a);
       f.segment<3>(3 * controls[a]) += of_element.col(i);
       for (std::size_t b = 0; stiffness && b < N; ++b)
         stiffness->block<3, 3>(3 * controls[a], 3 * controls[b]) +=
-            K.template block<3, 3>(3 * i, 3 * static_cast<Eigen::Index>(b));
+            K.block<3, 3>(3 * i, 3 * static_cast<Eigen::Index>(b));
     }
   }
 
   const MixedMesh& m_mesh;
-  PlainNeoHookean m_law;
+  NeoHookean m_law = test_law();
   long m_size = 0;
   std::vector<Tet4> m_tets;
   std::vector<Prism> m_prisms;
