@@ -1,7 +1,6 @@
 #include "Bridge/calculix_file.hpp"
 
 #include "Core/error.hpp"
-#include "Core/inverse/face_model.hpp"
 
 namespace f2b
 {
@@ -117,16 +116,15 @@ void add_materials(const MaterialSet& materials, const std::vector<ElementBlock>
 void add_movement(const ForwardProblem& problem, const std::vector<NodeSet>& sets,
                   std::string& deck)
 {
-  const std::vector<Vec3> x = with_fragments_moved(problem.mesh, problem.motions);
+  const std::vector<Vec3> u = fragment_displacements(problem);
   for (const NodeSet& set : sets)
     if (set.fragment >= 0)
       for (const int node : set.nodes)
       {
         const auto n = static_cast<std::size_t>(node);
-        const Vec3 u = x[n] - problem.mesh.X[n];
         for (int a = 0; a < 3; ++a)
           deck += std::to_string(node + 1) + ", " + std::to_string(a + 1) + ", " +
-                  std::to_string(a + 1) + ", " + number(u[a]) + "\n";
+                  std::to_string(a + 1) + ", " + number(u[n][a]) + "\n";
       }
 }
 
@@ -137,7 +135,7 @@ std::string calculix_deck(const ForwardProblem& problem, const DeckOptions& opti
   const std::vector<ElementBlock> blocks = element_blocks(problem.mesh);
   const std::vector<NodeSet> sets = boundary_sets(problem.mesh);
   std::string deck;
-  for (const std::string& remark : deck_remarks(problem))
+  for (const std::string& remark : deck_remarks(problem, options.title))
     deck += "** " + remark + "\n";
   add_mesh(problem.mesh, blocks, deck);
   for (const NodeSet& set : sets)

@@ -1,7 +1,6 @@
 #include "Bridge/febio_file.hpp"
 
 #include "Core/error.hpp"
-#include "Core/inverse/face_model.hpp"
 
 namespace f2b
 {
@@ -139,7 +138,7 @@ void add_mesh(const MixedMesh& mesh, const std::vector<ElementBlock>& blocks,
 
 void add_movement(const ForwardProblem& problem, const NodeSet& set, std::string& deck)
 {
-  const std::vector<Vec3> x = with_fragments_moved(problem.mesh, problem.motions);
+  const std::vector<Vec3> u = fragment_displacements(problem);
   for (int a = 0; a < 3; ++a)
   {
     deck += "<NodeData name=\"" + set.name + "_" + "xyz"[a] + "\" node_set=\"" + set.name +
@@ -148,7 +147,7 @@ void add_movement(const ForwardProblem& problem, const NodeSet& set, std::string
     {
       const auto n = static_cast<std::size_t>(set.nodes[i]);
       deck += "<node lid=\"" + std::to_string(i + 1) + "\">" +
-              number(x[n][a] - problem.mesh.X[n][a]) + "</node>\n";
+              number(u[n][a]) + "</node>\n";
     }
     deck += "</NodeData>\n";
   }
@@ -178,7 +177,7 @@ std::string febio_deck(const ForwardProblem& problem, const DeckOptions& options
   const std::vector<ElementBlock> blocks = element_blocks(problem.mesh);
   const std::vector<NodeSet> sets = boundary_sets(problem.mesh);
   std::string deck = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<febio_spec version=\"4.0\">\n";
-  for (const std::string& remark : deck_remarks(problem))
+  for (const std::string& remark : deck_remarks(problem, options.title))
     deck += "<!-- " + as_text(remark) + " -->\n";
   add_control(options, deck);
   add_materials(problem.materials, blocks, deck);

@@ -102,11 +102,11 @@ const char* tissue_name(Tissue tissue)
   return names[static_cast<std::size_t>(tissue)];
 }
 
-std::vector<std::string> deck_remarks(const ForwardProblem& problem)
+std::vector<std::string> deck_remarks(const ForwardProblem& problem, const std::string& title)
 {
   const MixedMesh& mesh = problem.mesh;
   std::vector<std::string> remarks = {
-      problem.title, "FaceToBone, research software, not a medical device.",
+      title, "FaceToBone, research software, not a medical device.",
       "Units mm, N, MPa; frame RAS (right, anterior, superior). Materials '" +
           problem.materials.name + "'.",
       "Nodes " + std::to_string(mesh.X.size()) + ", prisms " + std::to_string(mesh.prisms.size()) +

@@ -1,8 +1,6 @@
 #pragma once
 
-#include "Core/geometry/rigid_motion.hpp"
-#include "Core/material/material_set.hpp"
-#include "Core/mesh/mixed_mesh.hpp"
+#include "Core/models/forward_problem.hpp"
 
 #include <string>
 #include <vector>
@@ -11,17 +9,9 @@
 namespace f2b
 {
 
-/// A face whose fragments are moved. Frame RAS; mm, N, MPa. The parts outlive the problem.
-struct ForwardProblem
-{
-  const MixedMesh& mesh;
-  const MaterialSet& materials;
-  std::vector<RigidMotion> motions; ///< one per fragment of the mesh
-  std::string title;                ///< one line: what it is
-};
-
 struct DeckOptions
 {
+  std::string title;   ///< one line: what it is
   int increments = 10; ///< equal shares of the movement
 };
 
@@ -50,7 +40,7 @@ std::vector<NodeSet> boundary_sets(const MixedMesh& mesh);
 const char* tissue_name(Tissue tissue);
 
 /// What the deck says of itself, a line each: title, units, element kinds, movements.
-std::vector<std::string> deck_remarks(const ForwardProblem& problem);
+std::vector<std::string> deck_remarks(const ForwardProblem& problem, const std::string& title);
 
 /// The text of a number, with so many digits after the point (%.Ne).
 std::string scientific(double value, int digits);

@@ -14,17 +14,16 @@ namespace
 {
 
 /// Writes the problem to a file that nobody reads yet.
-void write_problem(const ForwardProblem& problem, const ExportOptions& options, const Path& file)
+void write_problem(const ForwardProblem& problem, const std::string& title,
+                   const ExportOptions& options, const Path& file)
 {
+  const DeckOptions deck = {title, options.increments};
   if (options.format == "vtu")
-    write_mesh(
-        file, problem.mesh,
-        {{"prescribed_displacement",
-          node_displacements(problem.mesh, with_fragments_moved(problem.mesh, problem.motions))}});
+    write_mesh(file, problem.mesh,
+               {{"prescribed_displacement", fragment_displacements(problem)}});
   else
-    write_file_atomically(file, options.format == "febio"
-                                    ? febio_deck(problem, {options.increments})
-                                    : calculix_deck(problem, {options.increments}));
+    write_file_atomically(file, options.format == "febio" ? febio_deck(problem, deck)
+                                                          : calculix_deck(problem, deck));
 }
 
 void require_outside(const CaseFolder& folder, const Path& file)
@@ -78,20 +77,20 @@ void export_case(CaseSession& session, const ExportOptions& options)
   if (!options.file.empty())
     require_outside(session.folder, options.file);
   session.progress("exporting", 0);
-  const LoadedFace face = load_face(session);
+  const LoadedFace face(session);
   const MixedMesh mesh = options.split_prisms ? split_prisms(face.mesh) : face.mesh;
-  const ForwardProblem problem = {mesh, face.materials, motions_to_predict(session, face),
-                                  "Forward problem of the case '" + session.settings.name + "'."};
+  const ForwardProblem problem = {mesh, face.materials, motions_to_predict(session, face)};
+  const std::string title = "Forward problem of the case '" + session.settings.name + "'.";
   if (!options.file.empty())
   {
     const FileBeside file(options.file);
-    write_problem(problem, options, file.path());
+    write_problem(problem, title, options, file.path());
     file.take_its_place();
   }
   else
   {
     CaseChange change(session.folder);
-    write_problem(problem, options, change.file(file_name(options.format).string()));
+    write_problem(problem, title, options, change.file(file_name(options.format).string()));
     change.commit("export " + options.format);
   }
   session.progress("exported", 1);

@@ -60,7 +60,7 @@ struct Problem
     slab.fragments = {"mid-face <1>"};
     return slab;
   }
-  ForwardProblem problem() const { return {mesh, materials, {some_motion()}, "A slab."}; }
+  ForwardProblem problem() const { return {mesh, materials, {some_motion()}}; }
 
   MixedMesh mesh;
   MaterialSet materials;
@@ -164,7 +164,7 @@ TEST(CalculixDeck, HoldsEveryNodeAndElementWithPositiveVolume)
 TEST(CalculixDeck, NamesTheBoundaryAndMovesTheFragmentAsTheMotionDoes)
 {
   const Problem p;
-  const std::string deck = calculix_deck(p.problem(), {4});
+  const std::string deck = calculix_deck(p.problem(), {"A slab.", 4});
   EXPECT_EQ(members(deck, "FIXED_BONE"), nodes_on(p.mesh, Boundary::FixedBone));
   EXPECT_EQ(members(deck, "CROP"), nodes_on(p.mesh, Boundary::Crop));
   EXPECT_EQ(members(deck, "SKIN"), nodes_on(p.mesh, Boundary::Skin));
@@ -196,7 +196,8 @@ TEST(CalculixDeck, GivesEveryLawWithTwoOverKAndNoFurtherVolumetricTerm)
   auto numbers = [&](const char* name)
   {
     std::vector<double> values;
-    for (const std::string& word : card(deck, name).at(0))
+    const Row row = card(deck, name).at(0);
+    for (const std::string& word : row)
       values.push_back(std::stod(word));
     return values;
   };
