@@ -77,8 +77,8 @@ double Relaxation::largest_eigenvalue() const
   double eigenvalue = 0;
   for (int iteration = 0; iteration < 100; ++iteration)
   {
-    const double norm = std::sqrt(
-        ordered_sum(n, [&](std::size_t i) { return m_mass[i] * v[i].squaredNorm(); }));
+    const double norm =
+        std::sqrt(ordered_sum(n, [&](std::size_t i) { return m_mass[i] * v[i].squaredNorm(); }));
     if (!(norm > 0))
       return 0;
     for_each_vertex(n, [&](std::size_t i) { v[i] /= norm; });
@@ -110,8 +110,8 @@ double Relaxation::damping(const std::vector<Vec3>& v, const std::vector<Vec3>& 
   // the force is linear in u, so K du is its change
   const double stiffness = ordered_sum(v.size(), [&](std::size_t i)
                                        { return moves(i) ? v[i].dot(f[i] - f_before[i]) : 0.0; });
-  const double mass = ordered_sum(
-      v.size(), [&](std::size_t i) { return moves(i) ? m_mass[i] * v[i].squaredNorm() : 0.0; });
+  const double mass = ordered_sum(v.size(), [&](std::size_t i)
+                                  { return moves(i) ? m_mass[i] * v[i].squaredNorm() : 0.0; });
   return mass > 0 ? 2 * std::sqrt(std::max(0.0, stiffness / (dt * mass))) : 0;
 }
 

@@ -1,9 +1,7 @@
 #include "Core/models/face_models.hpp"
 
+#include "Core/error.hpp"
 #include "Core/mesh/split_prisms.hpp"
-
-#include <cassert>
-#include <chrono>
 
 namespace f2b
 {
@@ -14,22 +12,6 @@ constexpr std::pair<FaceModelKind, const char*> names[] = {{FaceModelKind::Lfem,
                                                            {FaceModelKind::Mtm, "mtm"},
                                                            {FaceModelKind::Nfem, "nfem"},
                                                            {FaceModelKind::NfmEm, "nfm-em"}};
-
-/// Seconds since it was last asked.
-class LapTimer
-{
-public:
-  double lap()
-  {
-    const auto now = std::chrono::steady_clock::now();
-    const double seconds = std::chrono::duration<double>(now - m_begin).count();
-    m_begin = now;
-    return seconds;
-  }
-
-private:
-  std::chrono::steady_clock::time_point m_begin = std::chrono::steady_clock::now();
-};
 
 MaterialSet linearized(const MaterialSet& materials)
 {
@@ -49,60 +31,96 @@ std::vector<Vec3> target_of(const Discretization& tissue, const std::vector<Vec3
   return target;
 }
 
-/// The node positions of linear elasticity: the forces that the movement puts on the free nodes
-/// where they rest, and one solve with the stiffness there, which is the same everywhere.
+/// What is set up before anything is solved.
+struct TissueModel
+{
+  TissueModel(const Discretization& discretization, const MaterialSet& materials)
+      : tissue(discretization),
+        elastic(tissue, materials, tissue.control_flags(held_nodes(tissue.mesh())))
+  {
+  }
+  const Discretization& tissue;
+  ElasticModel elastic;
+};
+
+/// A stiffness that is the same everywhere: one factorisation, one solve with the forces that the
+/// movement puts on the unknowns where they rest.
+Eigen::VectorXd solve_once(ElasticModel& model, const std::vector<Vec3>& rest,
+                           const std::vector<Vec3>& movement, SolveEffort& effort)
+{
+  {
+    const TimedPart timed(effort.assembly);
+    (void)model.linearize(rest);
+    effort.linearizations = 1;
+  }
+  const Eigen::VectorXd load = -model.coupling(movement);
+  if (load.size() == 0)
+    return load;
+  Cholesky cholesky;
+  {
+    const TimedPart timed(effort.analysis);
+    cholesky.analyze(model.stiffness());
+    effort.analyses = 1;
+  }
+  {
+    const TimedPart timed(effort.factorization);
+    if (!cholesky.factorize(model.stiffness()))
+      throw Error("model lfem", "the linear stiffness is not positive definite",
+                  "mesh at another density, or hold more of the tissue", ErrorKind::Numerical);
+    effort.factorizations = 1;
+    effort.factorization_flops = cholesky.flops();
+    effort.factor_peak_bytes = cholesky.peak_bytes();
+  }
+  const TimedPart timed(effort.back_solving);
+  effort.back_solves = 1;
+  return cholesky.solve(load);
+}
+
 std::vector<Vec3> solve_linear(const Discretization& tissue, const ForwardProblem& problem,
-                               FaceModelResult& result, LapTimer& timer)
+                               FaceModelResult& result)
 {
   const MaterialSet laws = linearized(problem.materials);
-  ElasticModel model(tissue, laws, tissue.control_flags(held_nodes(problem.mesh)));
+  TissueModel model(tissue, laws);
+  EquilibriumSummary& summary = result.equilibrium;
+  const TimedPart timed(summary.effort.total);
+  const std::vector<Vec3> movement = fragment_displacements(problem);
+  const Eigen::VectorXd motion = solve_once(model.elastic, tissue.rest(), movement, summary.effort);
   std::vector<Vec3> x = tissue.rest();
-  (void)model.linearize(x);
-  result.setup_seconds = timer.lap();
-  const std::vector<Vec3> u = fragment_displacements(problem);
-  Cholesky cholesky;
-  Eigen::MatrixXd motion = -model.coupling(u);
-  if (motion.size() > 0)
-  {
-    cholesky.analyze(model.stiffness());
-    // held somewhere and of positive moduli, a linear stiffness is positive definite
-    [[maybe_unused]] const bool definite = cholesky.factorize(model.stiffness());
-    assert(definite);
-    motion = cholesky.solve(motion);
-  }
-  const auto& unknown = model.unknown_controls();
   for (std::size_t n = 0; n < x.size(); ++n)
-    x[n] += u[n];
+    x[n] += movement[n];
+  const auto& unknown = model.elastic.unknown_controls();
   for (std::size_t i = 0; i < unknown.size(); ++i)
-    x[static_cast<std::size_t>(unknown[i])] +=
-        motion.col(0).segment<3>(3 * static_cast<Eigen::Index>(i));
-  result.equilibrium.load_steps = result.equilibrium.newton_iterations =
-      result.equilibrium.factorizations = 1;
-  result.equilibrium.load_reached = 1;
+    x[static_cast<std::size_t>(unknown[i])] += motion.segment<3>(3 * static_cast<Eigen::Index>(i));
+  summary.load_steps = summary.newton_iterations = 1;
+  summary.load_reached = 1;
   return x;
 }
 
 std::vector<Vec3> relax_tensors(const MixedMesh& tets, const ForwardProblem& problem,
-                                const FaceModelOptions& options, const Progress& progress,
-                                FaceModelResult& result, LapTimer& timer)
+                                const RelaxationOptions& options, const Progress& progress,
+                                FaceModelResult& result)
 {
-  const MassTensors tensors(tets, problem.materials);
+  SolveEffort& effort = result.equilibrium.effort;
+  const TimedPart timed(effort.total);
+  std::optional<MassTensors> tensors;
+  {
+    const TimedPart timed_assembly(effort.assembly);
+    tensors.emplace(tets, problem.materials);
+  }
   std::vector<Vec3> x = fragment_displacements(problem);
-  result.setup_seconds = timer.lap();
-  result.relaxation = relax(tensors, x, held_nodes(tets), options.relaxation, progress);
+  result.relaxation = relax(*tensors, x, held_nodes(tets), options, progress);
   for (std::size_t n = 0; n < x.size(); ++n)
     x[n] += tets.X[n];
   return x;
 }
 
 std::vector<Vec3> solve_nonlinear(const Discretization& tissue, const ForwardProblem& problem,
-                                  const FaceModelOptions& options, const Progress& progress,
-                                  FaceModelResult& result, LapTimer& timer)
+                                  const EquilibriumOptions& options, const Progress& progress,
+                                  FaceModelResult& result)
 {
-  ElasticModel model(tissue, problem.materials, tissue.control_flags(held_nodes(problem.mesh)));
-  EquilibriumSolver solver(model, options.equilibrium);
+  TissueModel model(tissue, problem.materials);
+  EquilibriumSolver solver(model.elastic, options);
   solver.set_progress([&](double share) { progress("predicting the face", share); });
-  result.setup_seconds = timer.lap();
   std::vector<Vec3> x = tissue.rest();
   result.equilibrium = solver.move_to(x, target_of(tissue, fragment_displacements(problem)));
   return x;
@@ -131,30 +149,26 @@ FaceModelResult predict_with(FaceModelKind model, const ForwardProblem& problem,
                              const Progress& progress)
 {
   progress("predicting the face", 0);
-  LapTimer timer;
   FaceModelResult result;
   if (model == FaceModelKind::NfmEm)
   {
     const Discretization tissue(problem.mesh, {SkinElement::Smooth, Dilatation::Averaged});
-    result.x = solve_nonlinear(tissue, problem, options, progress, result, timer);
+    result.x = solve_nonlinear(tissue, problem, options.equilibrium, progress, result);
     result.skin_displacement = SkinInterpolation(tissue, skin).displacement(result.x);
     result.x.resize(problem.mesh.X.size());
+    return result;
   }
-  else
-  {
-    const MixedMesh tets = split_prisms(problem.mesh);
-    const ForwardProblem on_tets = {tets, problem.materials, problem.motions};
-    const Discretization tissue(tets);
-    result.x = model == FaceModelKind::Mtm
-                   ? relax_tensors(tets, on_tets, options, progress, result, timer)
-               : model == FaceModelKind::Lfem
-                   ? solve_linear(tissue, on_tets, result, timer)
-                   : solve_nonlinear(tissue, on_tets, options, progress, result, timer);
-    // the nodes are the same, so the prisms' faces carry the reference skin
-    result.skin_displacement =
-        SkinInterpolation(Discretization(problem.mesh), skin).displacement(result.x);
-  }
-  result.solve_seconds = timer.lap();
+  const MixedMesh tets = split_prisms(problem.mesh);
+  const ForwardProblem on_tets = {tets, problem.materials, problem.motions};
+  const Discretization tissue(tets);
+  result.x = model == FaceModelKind::Mtm
+                 ? relax_tensors(tets, on_tets, options.relaxation, progress, result)
+             : model == FaceModelKind::Lfem
+                 ? solve_linear(tissue, on_tets, result)
+                 : solve_nonlinear(tissue, on_tets, options.equilibrium, progress, result);
+  // the nodes are the same, so the prisms' faces carry the reference skin
+  result.skin_displacement =
+      SkinInterpolation(Discretization(problem.mesh), skin).displacement(result.x);
   return result;
 }
 

@@ -37,10 +37,8 @@ struct FaceModelResult
 {
   std::vector<Vec3> x;                 ///< positions of the mesh nodes [mm]
   std::vector<Vec3> skin_displacement; ///< of the reference skin [mm]
-  EquilibriumSummary equilibrium;      ///< of all but Mtm
+  EquilibriumSummary equilibrium;      ///< of Mtm the effort only
   RelaxationSummary relaxation;        ///< of Mtm
-  double setup_seconds = 0;            ///< mesh, elements, tensors
-  double solve_seconds = 0;
 };
 
 /// Predicts the face. Where Nfem or NfmEm cannot reach the movement, the summary says so and the

@@ -20,8 +20,7 @@ std::vector<char> held_nodes(const MixedMesh& mesh)
   for (std::size_t n = 0; n < held.size(); ++n)
   {
     const Boundary part = mesh.node_boundary[n];
-    held[n] =
-        part == Boundary::FixedBone || part == Boundary::Crop || part == Boundary::Fragment;
+    held[n] = part == Boundary::FixedBone || part == Boundary::Crop || part == Boundary::Fragment;
   }
   return held;
 }

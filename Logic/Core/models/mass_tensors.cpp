@@ -59,12 +59,11 @@ MassTensors::MassTensors(const MixedMesh& mesh, const MaterialSet& materials)
   m_edge.assign(m_neighbour.size(), Mat3::Zero());
   auto edge = [&](int i, int j) -> Mat3&
   {
-    const auto first = m_neighbour.begin() +
-                       static_cast<long>(m_first_edge[static_cast<std::size_t>(i)]);
-    const auto last = m_neighbour.begin() +
-                      static_cast<long>(m_first_edge[static_cast<std::size_t>(i) + 1]);
-    return m_edge[static_cast<std::size_t>(std::lower_bound(first, last, j) -
-                                           m_neighbour.begin())];
+    const auto first =
+        m_neighbour.begin() + static_cast<long>(m_first_edge[static_cast<std::size_t>(i)]);
+    const auto last =
+        m_neighbour.begin() + static_cast<long>(m_first_edge[static_cast<std::size_t>(i) + 1]);
+    return m_edge[static_cast<std::size_t>(std::lower_bound(first, last, j) - m_neighbour.begin())];
   };
   for (std::size_t t = 0; t < mesh.tets.size(); ++t)
   {
