@@ -96,8 +96,9 @@ private:
 /// The tangents of all nodes of the face at rest.
 ///
 /// The normal is Max's (1999) mean of the facets', each weighted by its sine over the lengths of
-/// its two edges: exact where a node and its neighbours lie on a sphere. Rim nodes have the mean of
-/// the facets that exist.
+/// its two edges: exact where a node and its neighbours lie on a sphere (weights by angle leave the
+/// same creases within 2 %, on a sphere and on a head). Rim nodes have the mean of the facets that
+/// exist.
 std::vector<SkinTangents> skin_tangents(const MixedMesh& mesh);
 
 } // namespace f2b
