@@ -28,7 +28,7 @@ struct ElementScheme
 {
   SkinElement skin = SkinElement::Linear;
   Dilatation dilatation = Dilatation::PerPoint;
-  int patch_tets = 8; ///< size of a patch for averaged dilatation
+  int patch_tets = 5; ///< size of a patch for averaged dilatation (test_locking.cpp on the choice)
 };
 
 /// A point of the skin as a combination of the first control vectors of one prism's element.

@@ -102,7 +102,11 @@ private:
         m_cholesky.analyze(K);
       m_analyzed = true;
       if (!m_cholesky.factorize(K))
-        return -1;
+      {
+        (void)m_model.linearize(x, Tangent::Positive);
+        if (!m_cholesky.factorize(reduce(m_model.stiffness())))
+          return -1;
+      }
       Eigen::VectorXd residual(K.size);
       for (std::size_t u = 0; u < m_free.size(); ++u)
         if (m_free[u])
