@@ -31,6 +31,9 @@ struct ElementScheme
   int patch_tets = 5; ///< size of a patch for averaged dilatation (test_locking.cpp on the choice)
 };
 
+/// The paper's model: a face that is smooth, and no locking.
+inline constexpr ElementScheme mixed_elements = {SkinElement::Smooth, Dilatation::Averaged};
+
 /// A point of the skin as a combination of the first control vectors of one prism's element.
 struct SkinWeights
 {
