@@ -11,6 +11,7 @@ import json
 import math
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -42,6 +43,10 @@ class Tier:
         if done.returncode:
             raise RuntimeError(f"exit {done.returncode}: {done.stderr.strip()}")
         return time.monotonic() - begin
+
+    def tool(self, name):
+        """A program of the build besides facetobone, by its path there."""
+        return self.program.parent.parent / "Testing" / name
 
     def real_case(self, name):
         if not (self.data / name).exists():
@@ -155,6 +160,69 @@ def movements(tier):
     return rows
 
 
+def forward_solve(tier):
+    """Table 2's movement at reference size: cost of one NFM-EM solve, and the creases of the skin."""
+    folder = tier.work / "cthead_unc"
+    if not (folder / "mesh.vtu").exists():
+        folder, _ = tier.planned("cthead_unc")
+    done = subprocess.run([tier.tool("Verification/forward_solve"), folder], capture_output=True, text=True,
+                          env=dict(os.environ, FACETOBONE_DATA=str(tier.data)), check=True)
+    told = json.loads(done.stdout)
+    crease = told["crease"]
+    rows = [("prisms", told["prisms"], "printed", True),
+            ("tetrahedra", told["tets"], ">= 100000", told["tets"] >= 100000),
+            ("converged", int(told["converged"]), "1", told["converged"]),
+            ("solve [s]", told["seconds"], "< 15", told["seconds"] < 15),
+            ("peak memory [GiB]", told["peak_gib"], "< 4", told["peak_gib"] < 4),
+            ("numeric factorisations", told["factorizations"], "<= 8", told["factorizations"] <= 8),
+            ("Newton iterations", told["newton_iterations"], "printed", True),
+            ("iterations of conjugate gradients", told["cg_iterations"], "printed", True)]
+    rows += [(f"time in {part} [s]", seconds, "printed", True) for part, seconds in told["time_s"].items()]
+    rows += [("factorisation [GFlop/s]", told["factorization_gflops"], "printed", True),
+             ("dgemm [GFlop/s]", told["dgemm_gflops"], "printed", True)]
+    rows += [(f"crease, {kind.replace('_', ' ')}, mean [deg]", crease[kind]["mean_deg"], "printed", True)
+             for kind in ("linear_at_rest", "smooth_at_rest", "linear_deformed", "smooth_deformed")]
+    return rows + [("prisms with straight edges", crease["folded_prisms"], "printed", True)]
+
+
+def benchmarks(tier):
+    """Growth of time and memory from 30 000 to 400 000 tetrahedra, and the ratio to a named peer."""
+    done = subprocess.run([tier.tool("Benchmarks/benchmark_mechanics"), "--benchmark_color=false"],
+                          capture_output=True, text=True, check=True)
+    print(done.stdout, flush=True)
+    rows = []
+    for line in done.stdout.splitlines():
+        growth = re.match(r"growth of (\S+)\s+time ~ tets\^([\d.]+)(?:, memory ~ tets\^([\d.]+))?", line)
+        if growth:
+            rows.append((f"{growth[1]}: exponent of time", float(growth[2]), "printed", True))
+            if growth[3]:
+                rows.append((f"{growth[1]}: exponent of memory", float(growth[3]), "printed", True))
+        ratio = re.match(r"(.*): ([\d.]+) times faster than by (\S+)", line)
+        if ratio:
+            rows.append((f"{ratio[1]}, times faster than {ratio[3]}", float(ratio[2]), "> 1", float(ratio[2]) > 1))
+    if len(rows) < 5:
+        raise RuntimeError("the benchmarks printed no growth")
+    return rows
+
+
+def sanitizers(tier):
+    """The whole Core test suite under ASan and UBSan."""
+    root = here.parent.parent
+    build = root / ".build" / "asan"
+    for command in (["cmake", "--preset", "asan"], ["cmake", "--build", "--preset", "asan", "--target", "core_tests"]):
+        subprocess.run(command, cwd=root, capture_output=True, text=True, check=True)
+    done = subprocess.run(["ctest", "--test-dir", build / "Testing" / "Logic" / "Core", "-j2", "--timeout", "1800"],
+                          capture_output=True, text=True)
+    summary = re.search(r"(\d+) tests failed out of (\d+)", done.stdout)
+    if not summary:
+        raise RuntimeError(done.stdout[-500:] + done.stderr[-500:])
+    failed, count = int(summary[1]), int(summary[2])
+    if failed:
+        print(done.stdout, flush=True)
+    return [("Core tests under ASan and UBSan", count, "> 100", count > 100),
+            ("of these failed", failed, "0", failed == 0)]
+
+
 def reproducible(tier):
     def stripped(folder):
         plan = load(folder / "plan.json")
@@ -185,6 +253,9 @@ CHECKS = {
     "phantom_imagex": lambda tier: real_ct(tier, "phantom_imagex"),
     "movements": movements,
     "reproducible": reproducible,
+    "forward_solve": forward_solve,
+    "benchmarks": benchmarks,
+    "sanitizers": sanitizers,
 }
 
 
