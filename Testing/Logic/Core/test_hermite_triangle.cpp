@@ -112,9 +112,10 @@ TEST(HermiteTriangle, SlopesAreDerivatives)
     const double h = 1e-6;
     for (const Vec3& d : {Vec3(1, -1, 0), Vec3(0, 1, -1), Vec3(-1, 0, 1)})
     {
-      const auto difference = (hermite_functions(correction, L + h * d).value -
-                               hermite_functions(correction, L - h * d).value) /
-                              (2 * h);
+      const Eigen::Matrix<double, 9, 1> difference =
+          (hermite_functions(correction, L + h * d).value -
+           hermite_functions(correction, L - h * d).value) /
+          (2 * h);
       worst = std::max(
           worst, (difference - hermite_functions(correction, L).slope * d).cwiseAbs().maxCoeff());
     }
