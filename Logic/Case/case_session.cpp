@@ -77,7 +77,7 @@ LoadedFace::LoadedFace(const CaseSession& session)
     : skin(read_surface(session.folder.require("skin.vtp", "segment"))),
       reference_skin(to_triangle_mesh(skin)),
       mesh(read_mesh(session.folder.require("mesh.vtu", "mesh"))),
-      materials(read_materials(session.settings.materials)), tissue(mesh),
+      materials(read_materials(session.settings.materials)), tissue(mesh, mixed_elements),
       interpolation(tissue, map_skin(mesh, reference_skin.points)),
       skin_area(vertex_areas(reference_skin))
 {
