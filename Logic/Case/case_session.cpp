@@ -78,7 +78,7 @@ LoadedFace::LoadedFace(const CaseSession& session)
       reference_skin(to_triangle_mesh(skin)),
       mesh(read_mesh(session.folder.require("mesh.vtu", "mesh"))),
       materials(read_materials(session.settings.materials)), tissue(mesh, mixed_elements),
-      interpolation(tissue, map_skin(mesh, reference_skin.points)),
+      map(map_skin(mesh, reference_skin.points)), interpolation(tissue, map),
       skin_area(vertex_areas(reference_skin))
 {
   for (std::size_t v = 0; v < skin_area.size(); ++v)

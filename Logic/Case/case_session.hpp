@@ -68,6 +68,7 @@ struct LoadedFace
   MixedMesh mesh;
   MaterialSet materials;
   Discretization tissue;
+  SkinMap map;
   SkinInterpolation interpolation;
   std::vector<double> skin_area; ///< 0 where a vertex has no finite-element skin near it
   std::vector<Vec3> reference_points;

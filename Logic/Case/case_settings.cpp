@@ -166,6 +166,7 @@ void read_groups(const json& document, CaseSettings& s)
   take(solver, "max_fit_iterations", s.max_fit_iterations);
   take(solver, "step_tolerance_mm", s.step_tolerance_mm);
   take(solver, "virtual_force_stiffness_n_per_mm3", s.virtual_force_stiffness);
+  take(solver, "predict_model", s.predict_model);
 }
 
 /// What must fit together between one key and another.

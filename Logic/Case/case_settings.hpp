@@ -60,6 +60,7 @@ struct CaseSettings
   int threads = 0;
   int max_newton_iterations = 25, max_fit_iterations = 40;
   double step_tolerance_mm = 1e-8, virtual_force_stiffness = 0.02;
+  std::string predict_model = "nfm-em";
   Movements predict;
 };
 

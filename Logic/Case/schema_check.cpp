@@ -84,6 +84,18 @@ const json* rule_at(const json& root, const std::vector<std::string>& context)
 
 constexpr const char* see_schema = "see Resources/Schema/case.schema.json";
 
+/// A word where others are known, such as a misspelt name.
+std::string word_hint(const json& document, const json::json_pointer& at, const json& here)
+{
+  if (!document.contains(at) || !document.at(at).is_string() || !here.contains("enum"))
+    return "";
+  std::vector<std::string> known;
+  for (const json& word : here["enum"])
+    if (word.is_string())
+      known.push_back(word.get<std::string>());
+  return known.size() < 2 ? "" : hint_for(document.at(at).get<std::string>(), known, "values");
+}
+
 /// \param rule, here  a rule as it stands, and where its reference leads
 std::string allowed(const json& rule, const json& here)
 {
@@ -138,7 +150,11 @@ void check_against_schema(const json& document, const json& schema, const std::s
   const json::json_pointer at = pointer_from(deepest.context);
   const json* rule = rule_at(schema, deepest.context);
   const json& here = rule ? resolved(*rule, schema) : schema;
-  throw Error(source, fault_text(document, at, here), rule ? allowed(*rule, here) : see_schema);
+  const std::string hint = word_hint(document, at, here);
+  throw Error(source, fault_text(document, at, here),
+              !hint.empty() ? hint
+              : rule        ? allowed(*rule, here)
+                            : see_schema);
 }
 
 } // namespace f2b

@@ -34,6 +34,7 @@ struct Arguments
   std::string target_mesh, warp_from, warp_to;
   double warp_radius_mm = 45;
   std::vector<std::string> movements;
+  std::string model;
   SampleOptions sample;
   FitMaterialOptions fit;
   ExportOptions exported;
@@ -93,6 +94,8 @@ void predict(const Arguments& a, const Progress& progress)
   nlohmann::json document = session.document;
   if (!a.movements.empty())
     document["predict"] = movements_from_arguments(a.movements);
+  if (!a.model.empty())
+    document["solver"]["predict_model"] = a.model;
   session.change_settings(document, from_arguments);
   predict_case(session);
 }
@@ -255,8 +258,11 @@ std::map<CLI::App*, Action> add_verbs(CLI::App& app, Arguments& a)
   actions[target_verb] = target;
   actions[add_verb(app, a, "plan", "Find the bone movements that give the target face")] =
       on_case(plan_case);
-  actions[add_movements(add_verb(app, a, "predict", "Predict the face that a bone movement gives"),
-                        a)] = predict;
+  CLI::App* predict_verb =
+      add_movements(add_verb(app, a, "predict", "Predict the face that a bone movement gives"), a);
+  predict_verb->add_option("--model", a.model,
+                           "lfem, mtm, nfem or nfm-em (the mixed elements; default)");
+  actions[predict_verb] = predict;
   add_export(app, a, actions);
   actions[add_verb(app, a, "report", "Draw pictures and write report.html")] = on_case(report_case);
   add_fit_material(app, a, actions);

@@ -79,6 +79,32 @@ TEST_F(Forward, ExportsIntoTheCaseOrElsewhereAndLeavesItsMovementAlone)
   EXPECT_TRUE(fs::exists(folder / "split.feb"));
 }
 
+TEST_F(Forward, PredictsWithEveryModelAndSaysWhich)
+{
+  std::map<std::string, std::string> faces;
+  for (const std::string model : {"lfem", "mtm", "nfem", "nfm-em"})
+  {
+    done({"predict", "case", "--model", model, "--movement", movement, "-q"});
+    const json told = json::parse(read_text(dir / "predict.json"));
+    EXPECT_EQ(told.at("model"), model);
+    EXPECT_GT(told.at("time_s").at("total"), 0) << model;
+    if (model == "mtm")
+    {
+      EXPECT_LE(told.at("relaxation").at("residual"), 1e-5);
+    }
+    else
+    {
+      EXPECT_GE(told.at("factorizations"), 1) << model;
+    }
+    faces[read_text(dir / "predicted.vtp")] = model;
+    EXPECT_TRUE(fs::exists(dir / "predicted.vtu")) << model;
+  }
+  EXPECT_EQ(faces.size(), 4u) << "two models predict the very same face";
+  EXPECT_EQ(json::parse(read_text(dir / "case.json")).at("solver").at("predict_model"), "nfm-em");
+  expect_refusal({"predict", dir.string(), "--model", "nfmem", "--movement", movement},
+                 {"predict_model", "nfmem", "did you mean 'nfm-em'?"}, folder.path());
+}
+
 TEST_F(Forward, ExportRefusesInOneLine)
 {
   const std::string at = dir.string(), out = (folder / "no such folder/x.inp").string();
