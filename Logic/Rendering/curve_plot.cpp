@@ -15,11 +15,14 @@
 #include <vtkPlotPoints.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
+#include <vtkStringArray.h>
 #include <vtkTable.h>
 #include <vtkTextProperty.h>
 #include <vtkWindowToImageFilter.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <limits>
 
 namespace f2b
@@ -77,13 +80,38 @@ std::array<double, 2> span(const CurvePlot& plot, std::vector<double> PlottedSer
   return {low - margin, high + margin};
 }
 
+/// The largest of 1, 2 and 5 times a power of ten that divides a span into at least five.
+double tick_step(double length)
+{
+  const double decade = std::pow(10, std::floor(std::log10(length / 5)));
+  const double share = length / 5 / decade;
+  return decade * (share >= 5 ? 5 : share >= 2 ? 2 : 1);
+}
+
+/// Ticks at round values, all with as many decimals as the step needs.
+void set_ticks(vtkAxis* axis, const std::array<double, 2>& range)
+{
+  const double step = tick_step(range[1] - range[0]);
+  const int decimals = std::max(0, -static_cast<int>(std::floor(std::log10(step) + 1e-9)));
+  vtkNew<vtkDoubleArray> positions;
+  vtkNew<vtkStringArray> labels;
+  for (double i = std::ceil(range[0] / step); i * step <= range[1]; ++i)
+  {
+    char label[40];
+    std::snprintf(label, sizeof label, "%.*f", decimals, i * step + 0.0);
+    positions->InsertNextValue(i * step);
+    labels->InsertNextValue(label);
+  }
+  axis->SetCustomTickPositions(positions, labels);
+}
+
 void set_axis(vtkAxis* axis, const std::string& title, const std::array<double, 2>& range,
               int letter)
 {
   axis->SetTitle(title);
   axis->SetBehavior(vtkAxis::FIXED);
   axis->SetRange(range[0], range[1]);
-  axis->SetTickLabelAlgorithm(vtkAxis::TICK_SIMPLE);
+  set_ticks(axis, range);
   axis->GetTitleProperties()->SetFontSize(letter);
   axis->GetTitleProperties()->BoldOff();
   axis->GetLabelProperties()->SetFontSize(letter);
