@@ -248,12 +248,57 @@ def reproducible(tier):
             ("movements, 1 against 2 threads [deg]", degrees, "< 1e-6", degrees < 1e-6)]
 
 
+def meshed_sample(tier):
+    """The virtual patient, segmented, cut and meshed."""
+    sample, folder = tier.work / "sample", tier.work / "sample-meshed"
+    tier.run("sample", "-o", sample)
+    case = load(sample / "case.json")
+    case["mesh"] = {"density": tier.density or 1}
+    (sample / "meshed.json").write_text(json.dumps(case))
+    tier.run("segment", sample / "meshed.json", "-o", folder)
+    tier.run("cut", folder)
+    tier.run("mesh", folder)
+    return folder
+
+
+def random_movements(tier):
+    """Seeded random movements of the sample's mid-face; those into uncut bone are left out (movement_sampler.hpp)."""
+    folder = meshed_sample(tier)
+    result = tier.work / "random_movements.json"
+    done = subprocess.run([tier.tool("Verification/random_movements"), folder, "6" if tier.density else "200", result],
+                          capture_output=True, text=True)
+    if done.returncode:
+        raise RuntimeError(f"exit {done.returncode}: {done.stderr.strip()}")
+    print(done.stdout, flush=True)
+    told = load(result)
+    movements = told["movements"]
+    count = len(movements)
+    converged = sum(m["converged"] for m in movements)
+    small = [m for m in movements if m["translation_mm"] < 12 and m["rotation_deg"] < 6]
+    small_lost = sum(not m["converged"] for m in small)
+    mute = sum(not m["converged"] and "could follow only" not in m["sentence"] for m in movements)
+    # a state that is not finite has no dilatation (null)
+    inverted = sum(not m["finite"] or not m["smallest_dilatation"] > 0 for m in movements)
+    seconds = [m["seconds"] for m in movements]
+    return [("movements", count, "printed", True),
+            ("left out, into uncut bone", told["left_out_into_uncut_bone"], "printed", True),
+            ("share that converged", converged / count, ">= 0.95", converged >= 0.95 * count),
+            ("under 12 mm and 6 degrees", len(small), "> 0", len(small) > 0),
+            ("of these not converged", small_lost, "0", small_lost == 0),
+            ("stopped without the sentence", mute, "0", mute == 0),
+            ("states with NaN or an inverted element", inverted, "0", inverted == 0),
+            ("smallest det F", min(m["smallest_dilatation"] for m in movements), "> 0", inverted == 0),
+            ("mean time of a solve [s]", sum(seconds) / count, "printed", True),
+            ("longest solve [s]", max(seconds), "printed", True)]
+
+
 CHECKS = {
     "cthead_unc": lambda tier: real_ct(tier, "cthead_unc"),
     "phantom_imagex": lambda tier: real_ct(tier, "phantom_imagex"),
     "movements": movements,
     "reproducible": reproducible,
     "forward_solve": forward_solve,
+    "random_movements": random_movements,
     "benchmarks": benchmarks,
     "sanitizers": sanitizers,
 }

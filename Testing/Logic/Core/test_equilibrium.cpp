@@ -146,12 +146,12 @@ TEST(Equilibrium, CancellingAtAnyIterationKeepsTheLastEquilibrium)
 
 TEST(Equilibrium, AHopelessMovementStopsSoonAtAnEquilibrium)
 {
-  for (const Vec3& into_the_bone_beside : {Vec3(300, 0, 0), Vec3(0, 0, -40)})
+  for (const Vec3& through_its_neighbours : {Vec3(300, 0, 0), Vec3(-60, 90, 0)})
   {
     Block block;
     EquilibriumSolver solver(block.model, {});
     std::vector<Vec3> x = block.tissue.rest();
-    const EquilibriumSummary summary = solver.move_to(x, block.moved(into_the_bone_beside));
+    const EquilibriumSummary summary = solver.move_to(x, block.moved(through_its_neighbours));
     std::printf("stopped at %.1f %% after %d iterations, %d factorisations, smallest det F %.4f\n",
                 100 * summary.load_reached, summary.newton_iterations,
                 summary.effort.factorizations, summary.smallest_dilatation);
