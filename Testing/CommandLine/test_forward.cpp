@@ -101,8 +101,8 @@ TEST_F(Forward, PredictsWithEveryModelAndSaysWhich)
   }
   EXPECT_EQ(faces.size(), 4u) << "two models predict the very same face";
   EXPECT_EQ(json::parse(read_text(dir / "case.json")).at("solver").at("predict_model"), "nfm-em");
-  expect_refusal({"predict", dir.string(), "--model", "nfmem", "--movement", movement},
-                 {"predict_model", "nfmem", "did you mean 'nfm-em'?"}, folder.path());
+  expect_refusal({"predict", dir.string(), "--model", "nfm_em", "--movement", movement},
+                 {"predict_model", "nfm_em", "did you mean 'nfm-em'?"}, folder.path());
 }
 
 TEST_F(Forward, ExportRefusesInOneLine)

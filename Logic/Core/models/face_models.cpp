@@ -152,7 +152,7 @@ FaceModelResult predict_with(FaceModelKind model, const ForwardProblem& problem,
   FaceModelResult result;
   if (model == FaceModelKind::NfmEm)
   {
-    const Discretization tissue(problem.mesh, {SkinElement::Smooth, Dilatation::Averaged});
+    const Discretization tissue(problem.mesh, mixed_elements);
     result.x = solve_nonlinear(tissue, problem, options.equilibrium, progress, result);
     result.skin_displacement = SkinInterpolation(tissue, skin).displacement(result.x);
     result.x.resize(problem.mesh.X.size());
