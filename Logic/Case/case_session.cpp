@@ -197,14 +197,33 @@ const char* reason(Termination termination)
 
 } // namespace
 
-void require_converged(const EquilibriumSummary& summary, const std::string& what)
+json to_json(const StabilityReport& stability)
+{
+  json told;
+  for (const Tissue tissue : {Tissue::Skin, Tissue::Fat, Tissue::Muscle})
+  {
+    const TissueStability& t = stability.of(tissue);
+    told[name_of(tissue)] = {{"share_outside", t.share_outside()},
+                             {"points", t.points},
+                             {"points_outside", t.points_outside},
+                             {"worst_margin", t.worst_margin},
+                             {"worst_at_ras", to_json(t.worst_place)}};
+  }
+  return told;
+}
+
+void require_converged(const EquilibriumSummary& summary, const std::string& what,
+                       const std::vector<std::string>& warnings)
 {
   if (summary.converged())
     return;
   char problem[200];
   std::snprintf(problem, sizeof problem, "the tissue could follow only %.0f %% of the movement: %s",
                 100 * summary.load_reached, reason(summary.termination));
-  throw Error(what, problem,
+  std::string text = problem;
+  for (const std::string& warning : warnings)
+    text += "; " + warning;
+  throw Error(what, text,
               "state a smaller movement or one that does not run into bone, or release more tissue "
               "along the cuts (mesh.release_margin_mm)",
               ErrorKind::Numerical);

@@ -3,6 +3,7 @@
 #include "Bridge/vtk_surface.hpp"
 #include "Case/case_folder.hpp"
 #include "Case/case_settings.hpp"
+#include "Core/assembly/stability_monitor.hpp"
 #include "Core/geometry/osteotomy.hpp"
 #include "Core/inverse/face_model.hpp"
 #include "Core/progress.hpp"
@@ -89,7 +90,12 @@ vtkSmartPointer<vtkPolyData> displaced_skin(const LoadedFace& face,
                                             const std::vector<Vec3>& displacement);
 /// Displacements of the mesh nodes in the state x [mm].
 std::vector<Vec3> node_displacements(const MixedMesh& mesh, const std::vector<Vec3>& x);
+/// What the guard found, tissue by tissue: share of the volume outside the law's stable range, the
+/// worst place and its margin.
+nlohmann::json to_json(const StabilityReport& stability);
 /// Throws Error (Numerical) with one sentence if a solve did not converge.
-void require_converged(const EquilibriumSummary& summary, const std::string& what);
+/// \param warnings  of the guard, which may say why
+void require_converged(const EquilibriumSummary& summary, const std::string& what,
+                       const std::vector<std::string>& warnings);
 
 } // namespace f2b

@@ -108,6 +108,7 @@ private:
   json errors(const std::vector<Vec3>& skin_displacement) const;
   json fragments(const std::string& method, const std::vector<RigidMotion>& motions);
   json stretch(const std::vector<Vec3>& x) const;
+  json stability(const std::string& method, const std::vector<Vec3>& x);
   void warn_of_overlap(const std::string& method, const std::string& fragment,
                        const BoneOverlap& overlap);
   void write(const std::string& method, const std::vector<RigidMotion>& motions,
@@ -197,6 +198,14 @@ json Planning::stretch(const std::vector<Vec3>& x) const
   return {{"p99", s.p99}, {"max", s.max}, {"max_at_ras", to_json(s.where)}};
 }
 
+json Planning::stability(const std::string& method, const std::vector<Vec3>& x)
+{
+  const StabilityReport report = examine_stability(m_face.tissue, m_face.materials, x);
+  for (const std::string& warning : report.warnings())
+    m_warnings.push_back(method + ": " + warning);
+  return to_json(report);
+}
+
 void Planning::write(const std::string& method, const std::vector<RigidMotion>& motions,
                      const std::vector<Vec3>& x, const std::vector<Vec3>& skin_displacement)
 {
@@ -259,6 +268,7 @@ void Planning::rigid_fit()
   m_methods["rigid-fit"] = {{"fragments", fragments("rigid-fit", fit.motions)},
                             {"skin_error_mm", errors(fit.skin_displacement)},
                             {"tissue_stretch", stretch(fit.x)},
+                            {"stability", stability("rigid-fit", fit.x)},
                             {"termination", text_of(fit.termination)},
                             {"iterations", iterations},
                             {"equilibrium", summary_json(fit.equilibrium)}};
@@ -288,6 +298,7 @@ void Planning::virtual_force()
                                 {"skin_error_mm", errors(again.skin_displacement)},
                                 {"load_residual_mm", errors(dragged.skin_displacement)},
                                 {"tissue_stretch", stretch(again.x)},
+                                {"stability", stability("virtual-force", again.x)},
                                 {"stiffness_n_per_mm3", options.stiffness_n_per_mm3},
                                 {"equilibrium", summary_json(dragged.equilibrium)},
                                 {"prediction", summary_json(again.summary)}};

@@ -66,6 +66,11 @@ json told(FaceModelKind model, const FaceModelResult& result, const MixedMesh& m
   return document;
 }
 
+std::vector<std::string> warnings_of(const FaceModelResult& result)
+{
+  return result.stability ? result.stability->warnings() : std::vector<std::string>();
+}
+
 FaceModelResult predict_or_throw(const CaseSession& session, FaceModelKind model,
                                  const LoadedFace& face, const std::vector<RigidMotion>& motions)
 {
@@ -76,7 +81,7 @@ FaceModelResult predict_or_throw(const CaseSession& session, FaceModelKind model
   if (model == FaceModelKind::Mtm)
     require_rest(result.relaxation, options.relaxation.tolerance);
   else
-    require_converged(result.equilibrium, "prediction");
+    require_converged(result.equilibrium, "prediction", warnings_of(result));
   return result;
 }
 
@@ -103,6 +108,9 @@ void predict_case(CaseSession& session)
   }
   json document = told(model, prediction, face.mesh);
   document["seconds"] = watch.seconds();
+  document["warnings"] = warnings_of(prediction);
+  if (prediction.stability)
+    document["stability"] = to_json(*prediction.stability);
   write_json(change.file("predict.json"), document);
   change.commit("predict");
   session.progress("predicted", 1);

@@ -51,6 +51,15 @@ void print_plan(const Path& folder)
               << "\n";
 }
 
+void print_prediction(const Path& folder)
+{
+  const nlohmann::json told = read_json(folder / "predict.json");
+  std::cout << "Predicted face (" << told.at("model").get<std::string>()
+            << "): " << (folder / "predicted.vtp").string() << "\n";
+  for (const nlohmann::json& warning : told.at("warnings"))
+    std::cout << "Warning: " << warning.get<std::string>() << "\n";
+}
+
 void run(const Arguments& a, const Progress& progress)
 {
   run_case(read_json(a.case_file), a.case_file, a.folder, progress);
@@ -299,6 +308,8 @@ int perform(const std::string& verb, const Action& action, const Arguments& a)
     }
     if (verb == "run" || verb == "plan")
       print_plan(a.folder);
+    if (verb == "predict")
+      print_prediction(a.folder);
     return ok;
   }
   catch (const Error& error)

@@ -48,10 +48,7 @@ public:
   std::vector<double> dilatations(const std::vector<Vec3>& x) const;
   /// Smallest det F at any quadrature point, whatever the law: positive if no element is inverted.
   double smallest_dilatation(const std::vector<Vec3>& x) const;
-  /// Calls visit(tissue, F, mean rest position of the element's corners, volume at rest) for every quadrature
-  /// point, one after the other.
-  template <class Visit>
-  void visit_points(const std::vector<Vec3>& x, const Visit& visit) const;
+  const ElementGroups& groups() const { return m_groups; }
   PatchSummary patch_summary() const { return m_groups.patch_summary(); }
 
 private:
@@ -79,22 +76,5 @@ private:
   PatchStiffness m_patches;     ///< the same of patches
   SymmetricMatrix m_stiffness;
 };
-
-template <class Visit>
-void ElasticModel::visit_points(const std::vector<Vec3>& x, const Visit& visit) const
-{
-  m_groups.for_each(
-      [&](const auto& group)
-      {
-        for (long e = 0; e < group.size(); ++e)
-        {
-          const auto& element = group.element(e);
-          const auto positions = group.positions(x, e);
-          const Vec3 center = group.center(m_rest, e);
-          for (std::size_t q = 0; q < element.volumes.size(); ++q)
-            visit(group.tissue, Mat3(positions * element.gradients[q]), center, element.volumes[q]);
-        }
-      });
-}
 
 } // namespace f2b

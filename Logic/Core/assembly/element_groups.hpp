@@ -74,4 +74,24 @@ private:
   std::size_t m_elements = 0, m_slots = 0, m_blocks = 0, m_patch_slots = 0;
 };
 
+/// Calls visit(tissue, F, place, volume) for every quadrature point, one after the other: its
+/// deformation gradient at x, the centre of its element at rest [mm], and its volume at rest [mm^3].
+template <class Visit>
+void visit_points(const ElementGroups& groups, const std::vector<Vec3>& rest,
+                  const std::vector<Vec3>& x, const Visit& visit)
+{
+  groups.for_each(
+      [&](const auto& group)
+      {
+        for (long e = 0; e < group.size(); ++e)
+        {
+          const auto& element = group.element(e);
+          const auto positions = group.positions(x, e);
+          const Vec3 center = group.center(rest, e);
+          for (std::size_t q = 0; q < element.volumes.size(); ++q)
+            visit(group.tissue, Mat3(positions * element.gradients[q]), center, element.volumes[q]);
+        }
+      });
+}
+
 } // namespace f2b

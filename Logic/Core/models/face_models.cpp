@@ -123,6 +123,7 @@ std::vector<Vec3> solve_nonlinear(const Discretization& tissue, const ForwardPro
   solver.set_progress([&](double share) { progress("predicting the face", share); });
   std::vector<Vec3> x = tissue.rest();
   result.equilibrium = solver.move_to(x, target_of(tissue, fragment_displacements(problem)));
+  result.stability = examine_stability(tissue, problem.materials, x);
   return x;
 }
 

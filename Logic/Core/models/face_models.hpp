@@ -1,6 +1,7 @@
 #pragma once
 
 #include "Core/assembly/discretization.hpp"
+#include "Core/assembly/stability_monitor.hpp"
 #include "Core/models/damped_relaxation.hpp"
 #include "Core/models/forward_problem.hpp"
 #include "Core/solve/equilibrium.hpp"
@@ -35,10 +36,11 @@ struct FaceModelOptions
 
 struct FaceModelResult
 {
-  std::vector<Vec3> x;                 ///< positions of the mesh nodes [mm]
-  std::vector<Vec3> skin_displacement; ///< of the reference skin [mm]
-  EquilibriumSummary equilibrium;      ///< of Mtm the effort only
-  RelaxationSummary relaxation;        ///< of Mtm
+  std::vector<Vec3> x;                      ///< positions of the mesh nodes [mm]
+  std::vector<Vec3> skin_displacement;      ///< of the reference skin [mm]
+  EquilibriumSummary equilibrium;           ///< of Mtm the effort only
+  RelaxationSummary relaxation;             ///< of Mtm
+  std::optional<StabilityReport> stability; ///< of Nfem and NfmEm, in the state that is returned
 };
 
 /// Predicts the face. Where Nfem or NfmEm cannot reach the movement, the summary says so and the
