@@ -26,7 +26,7 @@ std::string sentence(const EquilibriumSummary& summary)
 {
   try
   {
-    require_converged(summary, "movement");
+    require_converged(summary, "movement", {});
   }
   catch (const Error& error)
   {
