@@ -169,7 +169,7 @@ json document_of(const std::string& path)
   if (!std::filesystem::is_regular_file(path))
   {
     std::string names;
-    for (const std::string& name : carried_resources("Materials/"))
+    for (const std::string& name : carried_resources("materials/"))
       names += (names.empty() ? "" : ", ") + std::filesystem::path(name).stem().string();
     throw Error(path, "there is no such material file", "give a file, or one of " + names);
   }
@@ -220,7 +220,7 @@ nlohmann::ordered_json tissue_entry(const Law& law)
 
 MaterialSet read_materials(const std::string& name_or_path)
 {
-  const std::string* carried = carried_resource("Materials/" + name_or_path + ".json");
+  const std::string* carried = carried_resource("materials/" + name_or_path + ".json");
   const json document = carried ? json::parse(*carried) : document_of(name_or_path);
   const std::string source = carried ? "materials '" + name_or_path + "'" : name_or_path;
   const Entry top{document, source, ""};

@@ -219,7 +219,7 @@ CaseSettings parse_settings(const json& document, const Path& source)
   s.predict = movements_from(document.value("predict", json::object()));
   check_together(s, source);
   take(document, "materials", s.materials);
-  if (!carried_resource("Materials/" + s.materials + ".json"))
+  if (!carried_resource("materials/" + s.materials + ".json"))
     s.materials = resolved(s.materials, source).string();
   return s;
 }
@@ -271,7 +271,7 @@ json with_absolute_paths(json document, const Path& source)
     for (const char* key : {"from", "to"})
       make_absolute(target["warp"][key]);
   if (document.contains("materials") &&
-      !carried_resource("Materials/" + document["materials"].get<std::string>() + ".json"))
+      !carried_resource("materials/" + document["materials"].get<std::string>() + ".json"))
     make_absolute(document["materials"]);
   return document;
 }

@@ -54,7 +54,7 @@ TEST(FitMaterial, MakesTheStableSetOfTable1ThatTheProgramCarries)
   ASSERT_EQ(result.files.size(), 2u);
   EXPECT_EQ(result.files[0].filename(), "table1-stable.json");
   const json made = read_json(result.files[0]);
-  const json carried = json::parse(*carried_resource("Materials/table1-stable.json"));
+  const json carried = json::parse(*carried_resource("materials/table1-stable.json"));
   expect_same_numbers(carried, made, "");
   EXPECT_EQ(made.size(), carried.size());
   EXPECT_EQ(carried["fit"]["command"], "facetobone fit-material --table1 --law yeoh --stable");
