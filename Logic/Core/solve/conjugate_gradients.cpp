@@ -42,9 +42,8 @@ CgResult conjugate_gradients(const LinearMap& product, const LinearMap& precondi
   const Row beginning = rz;
   while ((rz > options.tolerance * options.tolerance * beginning).any())
   {
-    const double reduction = std::sqrt(quotients(rz, beginning).maxCoeff());
     if (result.iterations >= options.max_iterations ||
-        too_slow(reduction, result.iterations, options))
+        too_slow(result.reduction, result.iterations, options))
     {
       result.termination = CgTermination::IterationLimit;
       return result;
@@ -64,6 +63,7 @@ CgResult conjugate_gradients(const LinearMap& product, const LinearMap& precondi
     const Row next = dots(r, z);
     p = z + p * quotients(next, rz).matrix().asDiagonal();
     rz = next;
+    result.reduction = std::sqrt(quotients(rz, beginning).maxCoeff());
   }
   return result;
 }

@@ -27,7 +27,8 @@ struct CgResult
 {
   CgTermination termination = CgTermination::Converged;
   int iterations = 0;
-  Eigen::MatrixXd x; ///< the solutions so far
+  double reduction = 1; ///< of the residual norm, the worst of all right-hand sides
+  Eigen::MatrixXd x;    ///< the solutions so far
 };
 
 /// Preconditioned conjugate gradients for several right-hand sides at once, one per column.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace f2b
 {
@@ -34,8 +35,9 @@ struct EquilibriumSolver::Walk
   EquilibriumSummary& summary;
   int iterations_left;
   std::vector<Vec3> x = accepted;
-  double remaining = 1; ///< share of the load that x does not carry yet
-  bool is_near = true;  ///< x is an equilibrium or close to one
+  double remaining = 1;   ///< share of the load that x does not carry yet
+  bool is_near = true;    ///< x is an equilibrium or close to one
+  bool is_thrown = false; ///< the last step put on much load
   double told = 0;
 
   void accept()
@@ -135,13 +137,25 @@ bool EquilibriumSolver::line_search(Walk& walk, const Eigen::VectorXd& forces,
   return false;
 }
 
+/// By the exact tangent as far as it can be trusted: thrown far off, the state has elements that are
+/// about to be put right, and the positive tangent leads there better.
+std::optional<Eigen::MatrixXd>
+EquilibriumSolver::exact_step(Walk& walk, const Eigen::VectorXd& load, double forcing)
+{
+  if (std::exchange(walk.is_thrown, false))
+    return std::nullopt;
+  if (!walk.is_near)
+    return m_tangents.solve_by_old_factor(load, forcing);
+  const double left = m_options.step_tolerance_mm / std::min(walk.summary.last_step_mm, near_mm);
+  return m_tangents.solve(load, forcing, left);
+}
+
 /// The length of the step that was taken; nothing if none lowers the energy.
 std::optional<double> EquilibriumSolver::newton_iteration(Walk& walk, double forcing)
 {
   tell(walk);
   const Eigen::VectorXd forces = m_tangents.linearize(walk.x);
-  const auto exact = walk.is_near ? m_tangents.solve(-forces, forcing)
-                                  : m_tangents.solve_by_old_factor(-forces, forcing);
+  const auto exact = exact_step(walk, -forces, forcing);
   Eigen::VectorXd step = exact ? *exact : m_tangents.solve_positive(-forces);
   const double length = largest(step);
   EquilibriumSummary& summary = walk.summary;
@@ -190,12 +204,14 @@ Eigen::MatrixXd EquilibriumSolver::load_directions(Walk& walk, const std::vector
 {
   constexpr double tolerance = 0.02; // Newton's method comes after it
   Eigen::MatrixXd loads(m_model.unknown_count(), 2);
-  loads.col(0) = -m_tangents.linearize(walk.x);
-  loads.col(1) = -m_tangents.coupling(motion, Tangent::Exact);
-  const auto exact = walk.is_near ? m_tangents.solve(loads, tolerance)
-                                  : m_tangents.solve_by_old_factor(loads, tolerance);
-  if (exact)
-    return *exact;
+  const Tangent tangent = walk.is_near ? Tangent::Exact : Tangent::Positive;
+  loads.col(0) = -m_tangents.linearize(walk.x, tangent);
+  if (walk.is_near)
+  {
+    loads.col(1) = -m_tangents.coupling(motion, Tangent::Exact);
+    if (const auto exact = m_tangents.solve(loads, tolerance))
+      return *exact;
+  }
   loads.col(1) = -m_tangents.coupling(motion, Tangent::Positive);
   return m_tangents.solve_positive(loads);
 }
@@ -213,7 +229,7 @@ bool EquilibriumSolver::advance(Walk& walk, const Pace& pace)
   const Eigen::MatrixXd directions = load_directions(walk, motion);
   const std::vector<double> volumes = m_model.dilatations(walk.x);
   for (double share = 1; share == 1 || share * walk.remaining > m_options.smallest_load_step;
-       share *= 0.7)
+       share *= 0.9)
   {
     std::vector<Vec3> trial = moved(walk.x, directions.col(0) + share * directions.col(1), 1);
     for (std::size_t i = 0; i < trial.size(); ++i)
@@ -223,6 +239,7 @@ bool EquilibriumSolver::advance(Walk& walk, const Pace& pace)
     walk.x = std::move(trial);
     walk.remaining = share == 1 ? 0 : walk.remaining * (1 - share);
     walk.is_near = walk.is_near && share * largest(motion) < near_mm;
+    walk.is_thrown = !walk.is_near;
     ++walk.summary.load_steps;
     return true;
   }

@@ -83,6 +83,8 @@ private:
   bool advance(Walk& walk, const Pace& pace);
   Eigen::MatrixXd load_directions(Walk& walk, const std::vector<Vec3>& motion);
   bool newton(Walk& walk);
+  std::optional<Eigen::MatrixXd> exact_step(Walk& walk, const Eigen::VectorXd& load,
+                                            double forcing);
   std::optional<double> newton_iteration(Walk& walk, double forcing);
   bool line_search(Walk& walk, const Eigen::VectorXd& forces, const Eigen::VectorXd& step);
   double energy(const std::vector<Vec3>& x);

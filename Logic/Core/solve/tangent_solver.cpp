@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace f2b
 {
 
-const Eigen::VectorXd& TangentSolver::linearize(const std::vector<Vec3>& x)
+const Eigen::VectorXd& TangentSolver::linearize(const std::vector<Vec3>& x, Tangent tangent)
 {
   if (x == m_at)
     return m_forces;
@@ -15,7 +16,7 @@ const Eigen::VectorXd& TangentSolver::linearize(const std::vector<Vec3>& x)
   m_indefinite = false;
   if (m_factor != Factor::None)
     m_factor = Factor::Old;
-  assemble(Tangent::Exact);
+  assemble(tangent);
   return m_forces;
 }
 
@@ -54,6 +55,7 @@ bool TangentSolver::factorize()
     return false;
   m_effort.factor_peak_bytes = std::max(m_effort.factor_peak_bytes, m_cholesky.peak_bytes());
   m_factor = m_assembled == Tangent::Exact ? Factor::Exact : Factor::Positive;
+  m_digits_an_iteration = std::numeric_limits<double>::infinity();
   return true;
 }
 
@@ -119,6 +121,8 @@ TangentSolver::solve_by_old_factor(const Eigen::MatrixXd& right_hand_sides, doub
   CgResult result = conjugate_gradients(product, preconditioner, right_hand_sides,
                                         {tolerance, worth_iterations(right_hand_sides.cols())});
   m_effort.cg_iterations += result.iterations;
+  if (result.iterations > 0)
+    m_digits_an_iteration = -std::log10(result.reduction) / result.iterations;
   if (result.termination == CgTermination::Converged)
     return std::move(result.x);
   m_indefinite = result.termination == CgTermination::NegativeCurvature;
@@ -126,10 +130,14 @@ TangentSolver::solve_by_old_factor(const Eigen::MatrixXd& right_hand_sides, doub
 }
 
 std::optional<Eigen::MatrixXd> TangentSolver::solve(const Eigen::MatrixXd& right_hand_sides,
-                                                    double tolerance)
+                                                    double tolerance, double to_come)
 {
-  if (auto solution = solve_by_old_factor(right_hand_sides, tolerance))
-    return solution;
+  const double digits = -std::log10(std::min(tolerance, to_come));
+  const bool slow = m_factor == Factor::Old &&
+                    digits > m_digits_an_iteration * worth_iterations(right_hand_sides.cols());
+  if (!slow)
+    if (auto solution = solve_by_old_factor(right_hand_sides, tolerance))
+      return solution;
   if (m_indefinite)
     return std::nullopt;
   if (m_assembled != Tangent::Exact)

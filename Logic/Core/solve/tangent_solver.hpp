@@ -23,12 +23,17 @@ public:
   explicit TangentSolver(ElasticModel& model) : m_model(model) {}
 
   /// Linearises the model at x; what follows refers to this state. Returns the forces there [N].
-  const Eigen::VectorXd& linearize(const std::vector<Vec3>& x);
+  /// \param tangent  that will be needed first
+  const Eigen::VectorXd& linearize(const std::vector<Vec3>& x, Tangent tangent = Tangent::Exact);
   /// Forces from a small motion of what is prescribed, by the exact or the positive tangent [N].
   Eigen::VectorXd coupling(const std::vector<Vec3>& motion, Tangent tangent);
 
   /// Solves with the exact tangent; nothing if it is not positive definite.
-  std::optional<Eigen::MatrixXd> solve(const Eigen::MatrixXd& right_hand_sides, double tolerance);
+  /// \param tolerance  relative
+  /// \param to_come    tolerance that all solves from here to the end of the task add up to: if the
+  ///                   old factor would be too slow for that, a new one is made at once
+  std::optional<Eigen::MatrixXd> solve(const Eigen::MatrixXd& right_hand_sides, double tolerance,
+                                       double to_come = 1);
   /// The same without a new factor; nothing also if that would take too many iterations.
   std::optional<Eigen::MatrixXd> solve_by_old_factor(const Eigen::MatrixXd& right_hand_sides,
                                                      double tolerance);
@@ -62,7 +67,8 @@ private:
   Eigen::VectorXd m_forces;
   Tangent m_assembled = Tangent::Exact; ///< what the model's stiffness is at present
   Factor m_factor = Factor::None;
-  bool m_indefinite = false; ///< the exact tangent here, as far as is known
+  double m_digits_an_iteration = 0; ///< that conjugate gradients won with the factor last
+  bool m_indefinite = false;        ///< the exact tangent here, as far as is known
   bool m_analyzed = false;
   SolveEffort m_effort;
 };
