@@ -51,8 +51,9 @@ json creases(const MixedMesh& mesh, const std::vector<Vec3>& x)
 {
   const SmoothSkin skin(mesh);
   json told;
-  const auto add = [&](const char* name, const SkinCrease& crease)
-  { told[name] = {{"mean_deg", crease.mean_deg}, {"max_deg", crease.max_deg}}; };
+  const auto add = [&](const char* name, const SkinCrease& crease) {
+    told[name] = {{"mean_deg", crease.mean_deg}, {"max_deg", crease.max_deg}};
+  };
   add("linear_at_rest", linear_skin_crease(mesh, mesh.X));
   add("linear_deformed", linear_skin_crease(mesh, x));
   add("smooth_at_rest", smooth_skin_crease(skin, skin.rest()));

@@ -29,8 +29,7 @@ double MovementSampler::depth_on_the_way(const Vec3& translation, const Vec3& ro
   double depth = 0;
   for (const double share : {1.0, 0.25, 0.5, 0.75}) // most that fail do so at the end
   {
-    const RigidMotion motion =
-        motion_of(share * translation, share * rotation_vector, m_reference);
+    const RigidMotion motion = motion_of(share * translation, share * rotation_vector, m_reference);
     depth = std::max(
         depth, overlap_with_uncut_bone(m_bone.distance, m_bone.parts, m_label, motion).depth_mm);
     if (depth > allowed_depth_mm)

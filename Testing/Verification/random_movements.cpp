@@ -62,8 +62,7 @@ json effort_of(const EquilibriumSummary& summary)
 json tried(const LoadedFace& face, const ElasticModel& model, const SampledMovement& movement,
            const EquilibriumOptions& options)
 {
-  const Prediction prediction =
-      predict_face(face.model(), {movement.motion}, options, no_progress);
+  const Prediction prediction = predict_face(face.model(), {movement.motion}, options, no_progress);
   json row = judged_state(model, prediction);
   row.update(effort_of(prediction.summary));
   row.update({{"translation_mm", movement.translation_mm},
@@ -78,13 +77,13 @@ json tried(const LoadedFace& face, const ElasticModel& model, const SampledMovem
 
 void print_row(int index, const json& row)
 {
-  std::printf("%4d %6.2f mm %6.2f deg  %-9s %5.0f %%  min J %7.4f  %2d factors %3d CG %6.2f s  %s\n",
-              index, row.at("translation_mm").get<double>(), row.at("rotation_deg").get<double>(),
-              row.at("converged").get<bool>() ? "converged" : "stopped",
-              100 * row.at("load_reached").get<double>(),
-              row.at("smallest_dilatation").get<double>(), row.at("factorizations").get<int>(),
-              row.at("cg_iterations").get<int>(), row.at("seconds").get<double>(),
-              row.at("sentence").get<std::string>().c_str());
+  std::printf(
+      "%4d %6.2f mm %6.2f deg  %-9s %5.0f %%  min J %7.4f  %2d factors %3d CG %6.2f s  %s\n", index,
+      row.at("translation_mm").get<double>(), row.at("rotation_deg").get<double>(),
+      row.at("converged").get<bool>() ? "converged" : "stopped",
+      100 * row.at("load_reached").get<double>(), row.at("smallest_dilatation").get<double>(),
+      row.at("factorizations").get<int>(), row.at("cg_iterations").get<int>(),
+      row.at("seconds").get<double>(), row.at("sentence").get<std::string>().c_str());
   std::fflush(stdout);
 }
 

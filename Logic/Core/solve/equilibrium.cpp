@@ -234,7 +234,8 @@ bool EquilibriumSolver::advance(Walk& walk, const Pace& pace)
     std::vector<Vec3> trial = moved(walk.x, directions.col(0) + share * directions.col(1), 1);
     for (std::size_t i = 0; i < trial.size(); ++i)
       trial[i] += share * motion[i];
-    if (!keeps_volume(volumes, trial, pace.least_volume_ratio))
+    // a little crushing is better than another step for a small rest
+    if (!keeps_volume(volumes, trial, (share == 1 ? 0.5 : 1.0) * pace.least_volume_ratio))
       continue;
     walk.x = std::move(trial);
     walk.remaining = share == 1 ? 0 : walk.remaining * (1 - share);
