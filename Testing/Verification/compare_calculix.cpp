@@ -117,7 +117,18 @@ struct OurSolve
 
   json told_json() const
   {
-    return {{"wall_s", cost.wall},
+    const SolveEffort& effort = summary.effort;
+    return {{"time_s",
+             {{"assembly", effort.assembly},
+              {"energy", effort.energy},
+              {"analysis", effort.analysis},
+              {"factorization", effort.factorization},
+              {"back_solving", effort.back_solving},
+              {"products", effort.products},
+              {"total", effort.total}}},
+            {"cg_iterations", effort.cg_iterations},
+            {"factorization_gflop", 1e-9 * effort.factorization_flops},
+            {"wall_s", cost.wall},
             {"processor_s", cost.processor},
             {"newton_iterations", summary.newton_iterations},
             {"factorizations", summary.effort.factorizations},
