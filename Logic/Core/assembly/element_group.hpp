@@ -32,7 +32,7 @@ struct ElementGroup
   long first_patch_slot = 0;
 
   bool averaged = false;
-  std::vector<int> domain_start;     ///< of patches, into `elements`; empty for prisms
+  std::vector<int> patch_start;      ///< of patches, into `elements`; empty for prisms
   std::vector<int> patch_control;    ///< per patch slot
   std::vector<int> patch_slot_start; ///< of patches, into `patch_control`
   std::vector<Controls> patch_slots; ///< per element, into `patch_control`
@@ -61,15 +61,20 @@ struct ElementGroup
     return (p.template leftCols<3>() + p.template rightCols<3>()).rowwise().sum() / 6;
   }
 
-  bool in_patches() const { return !domain_start.empty(); }
-  long domain_count() const
+  long patch_count() const
   {
-    return in_patches() ? static_cast<long>(domain_start.size()) - 1 : size();
+    return patch_start.empty() ? 0 : static_cast<long>(patch_start.size()) - 1;
   }
-  /// First element of a domain; that of the next domain is its end.
-  long domain_begin(long d) const
+  /// First element of a patch; that of the next patch is its end.
+  long patch_begin(long patch) const { return patch_start[static_cast<std::size_t>(patch)]; }
+  /// First slot of a patch among the group's.
+  std::size_t patch_slot_begin(long patch) const
   {
-    return in_patches() ? domain_start[static_cast<std::size_t>(d)] : d;
+    return static_cast<std::size_t>(patch_slot_start[static_cast<std::size_t>(patch)]);
+  }
+  std::size_t patch_slot(long e, std::size_t corner) const
+  {
+    return static_cast<std::size_t>(patch_slots[static_cast<std::size_t>(e)][corner]);
   }
 };
 
@@ -79,10 +84,10 @@ void number_patch_slots(ElementGroup<Element>& group)
 {
   group.patch_slots.resize(group.elements.size());
   group.patch_slot_start.assign(1, 0);
-  for (long d = 0; d < group.domain_count(); ++d)
+  for (long d = 0; d < group.patch_count(); ++d)
   {
     const auto begin = static_cast<std::ptrdiff_t>(group.patch_control.size());
-    for (long e = group.domain_begin(d); e < group.domain_begin(d + 1); ++e)
+    for (long e = group.patch_begin(d); e < group.patch_begin(d + 1); ++e)
       for (std::size_t i = 0; i < group.corners; ++i)
       {
         auto& all = group.patch_control;

@@ -36,7 +36,7 @@ void ElementGroups::add_tets(const Discretization& tissue, const MaterialSet& ma
     DilatationPatches patches = make_dilatation_patches(tets, tissue.scheme().patch_tets);
     for (const int t : patches.tets)
       group.controls.push_back(tets[static_cast<std::size_t>(t)]);
-    group.domain_start = std::move(patches.start);
+    group.patch_start = std::move(patches.start);
   }
   else
     group.controls = std::move(tets);
@@ -130,9 +130,9 @@ PatchSummary ElementGroups::patch_summary() const
   for_each(
       [&](const auto& group)
       {
-        for (std::size_t p = 0; p + 1 < group.domain_start.size(); ++p)
+        for (std::size_t p = 0; p + 1 < group.patch_start.size(); ++p)
         {
-          const int size = group.domain_start[p + 1] - group.domain_start[p];
+          const int size = group.patch_start[p + 1] - group.patch_start[p];
           summary.smallest = summary.patches ? std::min(summary.smallest, size) : size;
           summary.largest = std::max(summary.largest, size);
           summary.tets += size;

@@ -1,8 +1,8 @@
 #include "Core/assembly/element_loops.hpp"
 
-#include "Core/element/mean_dilatation.hpp"
+#include "Core/element/positive_blocks.hpp"
+#include "Core/element/prism_levels.hpp"
 #include "Core/element/smooth_prism.hpp"
-#include "Core/material/positive_tangent.hpp"
 
 #include <limits>
 
@@ -18,12 +18,12 @@ Eigen::Map<Matrix> matrix_at(std::vector<double>& numbers, std::size_t offset)
   return Eigen::Map<Matrix>(numbers.data() + offset);
 }
 
-/// The change of volume that the elements of a domain share.
-template <class L, class Element>
-struct Domain
+/// The change of volume that the tetrahedra of a patch share.
+template <class L>
+struct Patch
 {
-  Domain(const ElementGroup<Element>& group, const std::vector<Vec3>& x, long index)
-      : begin(group.domain_begin(index)), end(group.domain_begin(index + 1))
+  Patch(const ElementGroup<Tet4>& group, const std::vector<Vec3>& x, long index)
+      : begin(group.patch_begin(index)), end(group.patch_begin(index + 1))
   {
     double now = 0;
     for (long e = begin; e < end; ++e)
@@ -38,96 +38,116 @@ struct Domain
   double dilatation = 1;
 };
 
+/// Calls visit(e, law of its points) for every tetrahedron of the patches, in parallel.
+template <class L, class Visit>
+void for_each_averaged(const ElementGroup<Tet4>& group, const L& law, const std::vector<Vec3>& x,
+                       const Visit& visit)
+{
+#pragma omp parallel for schedule(static)
+  for (long p = 0; p < group.patch_count(); ++p)
+  {
+    const Patch<L> patch(group, x, p);
+    const AveragedPoint<L> point{law, DilatationSplit<L>::volume_slope(law, patch.dilatation)};
+    for (long e = patch.begin; e < patch.end; ++e)
+      visit(e, point);
+  }
+}
+
+/// The same for every prism of the group.
+template <class L, class Prism, class Visit>
+void for_each_averaged(const ElementGroup<Prism>& group, const L& law, const std::vector<Vec3>& x,
+                       const Visit& visit)
+{
+#pragma omp parallel for schedule(static)
+  for (long e = 0; e < group.size(); ++e)
+  {
+    const typename Prism::Positions positions = group.positions(x, e);
+    visit(e, PrismLevels<L, Prism>(group.element(e), positions, law));
+  }
+}
+
 /// Calls visit(e, law of its points) for every element of the group, in parallel.
 template <class L, class Element, class Visit>
 void for_each_element(const ElementGroup<Element>& group, const L& law, const std::vector<Vec3>& x,
                       const Visit& visit)
 {
-  if (!group.averaged)
-  {
+  if (group.averaged)
+    return for_each_averaged(group, law, x, visit);
 #pragma omp parallel for schedule(static)
-    for (long e = 0; e < group.size(); ++e)
-      visit(e, law);
-    return;
-  }
+  for (long e = 0; e < group.size(); ++e)
+    visit(e, law);
+}
+
+/// What the point laws of an element leave out of its energy: nothing but for prisms' own means.
+template <class PointLaw>
+double energy_beyond_points(const PointLaw&)
+{
+  return 0;
+}
+template <class L, class Prism>
+double energy_beyond_points(const PrismLevels<L, Prism>& levels)
+{
+  return levels.volume_energy();
+}
+
+/// Stiffness of an element, with its forces as the result.
+template <class Element, class PointLaw>
+typename Element::Positions
+full_stiffness(const Element& element, const typename Element::Positions& x, const PointLaw& point,
+               Tangent tangent, double* stiffness)
+{
+  return element_forces(element, x, point, stiffness, tangent == Tangent::Positive);
+}
+template <class Element, class L>
+typename Element::Positions
+full_stiffness(const Element& element, const typename Element::Positions& x,
+               const PrismLevels<L, Element>& levels, Tangent tangent, double* stiffness)
+{
+  const typename Element::Positions forces = element_forces(element, x, levels, stiffness);
+  levels.add_stiffness(stiffness);
+  if (tangent == Tangent::Positive)
+    make_positive(stiffness, Element::corners);
+  return forces;
+}
+
+/// Adds the patches' energies to those of their first tetrahedra.
+template <class L>
+void add_patch_energies(const ElementGroup<Tet4>& group, const L& law, const std::vector<Vec3>& x,
+                        double* parts)
+{
 #pragma omp parallel for schedule(static)
-  for (long d = 0; d < group.domain_count(); ++d)
+  for (long p = 0; p < group.patch_count(); ++p)
   {
-    const Domain<L, Element> domain(group, x, d);
-    const AveragedPoint<L> point{law, AveragedPoint<L>::volume_slope(law, domain.dilatation)};
-    for (long e = domain.begin; e < domain.end; ++e)
-      visit(e, point);
+    const Patch<L> patch(group, x, p);
+    parts[patch.begin] += patch.volume * DilatationSplit<L>::volume_energy(law, patch.dilatation);
   }
 }
 
-/// Adds the energies of averaged dilatations to those of the domains' first elements.
-template <class L, class Element>
-void add_volume_energies(const ElementGroup<Element>& group, const L& law,
-                         const std::vector<Vec3>& x, double* parts)
+/// The rank-one stiffness of the patches.
+template <class L>
+void compute_patch_stiffness(const ElementGroup<Tet4>& group, const L& law, Tangent tangent,
+                             const std::vector<Vec3>& x, PatchStiffness& patches)
 {
-  if (!group.averaged)
-    return;
-#pragma omp parallel for schedule(static)
-  for (long d = 0; d < group.domain_count(); ++d)
-  {
-    const Domain<L, Element> domain(group, x, d);
-    parts[domain.begin] += domain.volume * AveragedPoint<L>::volume_energy(law, domain.dilatation);
-  }
-}
-
-/// Adds c g g^T to the lower half of an element's stiffness.
-template <class Positions>
-void add_rank_one(const Positions& g, double c, double* stiffness)
-{
-  constexpr int n = Positions::ColsAtCompileTime;
-  for (int b = 0; b < n; ++b)
-    for (int a = b; a < n; ++a)
-      Eigen::Map<Mat3>(stiffness + 9 * block_index(n, a, b)) += c * g.col(a) * g.col(b).transpose();
-}
-
-template <class L, class Element>
-void set_patch_stiffness(const ElementGroup<Element>& group, const std::vector<Vec3>& x,
-                         const Domain<L, Element>& domain, long index, double c,
-                         PatchStiffness& patches)
-{
-  const auto d = static_cast<std::size_t>(index);
   const auto first = static_cast<std::size_t>(group.first_patch_slot);
-  for (int s = group.patch_slot_start[d]; s < group.patch_slot_start[d + 1]; ++s)
-    patches.slope[first + static_cast<std::size_t>(s)].setZero();
-  for (long e = domain.begin; e < domain.end; ++e)
-  {
-    const auto g = dilated_volume_slope<L>(group.element(e), group.positions(x, e));
-    for (int i = 0; i < group.corners; ++i)
-    {
-      const int slot = group.patch_slots[static_cast<std::size_t>(e)][static_cast<std::size_t>(i)];
-      patches.slope[first + static_cast<std::size_t>(slot)] += g.col(i);
-    }
-  }
-  for (int s = group.patch_slot_start[d]; s < group.patch_slot_start[d + 1]; ++s)
-    patches.scaled[first + static_cast<std::size_t>(s)] =
-        c * patches.slope[first + static_cast<std::size_t>(s)];
-}
-
-/// The rank-one stiffness of averaged dilatations.
-template <class L, class Element>
-void add_volume_stiffness(const ElementGroup<Element>& group, const L& law, Tangent tangent,
-                          const std::vector<Vec3>& x, std::vector<double>& blocks,
-                          PatchStiffness& patches)
-{
-  if (!group.averaged)
-    return;
 #pragma omp parallel for schedule(static)
-  for (long d = 0; d < group.domain_count(); ++d)
+  for (long p = 0; p < group.patch_count(); ++p)
   {
-    const Domain<L, Element> domain(group, x, d);
-    double c = AveragedPoint<L>::volume_curvature(law, domain.dilatation) / domain.volume;
+    const Patch<L> patch(group, x, p);
+    double c = DilatationSplit<L>::volume_curvature(law, patch.dilatation) / patch.volume;
     if (tangent == Tangent::Positive)
       c = std::max(c, 0.0);
-    if (group.in_patches())
-      set_patch_stiffness(group, x, domain, d, c, patches);
-    else
-      add_rank_one(dilated_volume_slope<L>(group.element(d), group.positions(x, d)), c,
-                   &blocks[9 * group.block(d)]);
+    const std::size_t begin = first + group.patch_slot_begin(p);
+    const std::size_t end = first + group.patch_slot_begin(p + 1);
+    for (std::size_t slot = begin; slot < end; ++slot)
+      patches.slope[slot].setZero();
+    for (long e = patch.begin; e < patch.end; ++e)
+    {
+      const auto g = dilated_volume_slope<L>(group.element(e), group.positions(x, e));
+      for (std::size_t i = 0; i < 4; ++i)
+        patches.slope[first + group.patch_slot(e, i)] += g.col(static_cast<Eigen::Index>(i));
+    }
+    for (std::size_t slot = begin; slot < end; ++slot)
+      patches.scaled[slot] = c * patches.slope[slot];
   }
 }
 
@@ -140,10 +160,13 @@ void ElementLoops<Element>::energies(const Group& group, const Law& law, const s
   auto with_law = [&](const auto& l)
   {
     for_each_element(group, l, x,
-                     [&](long e, const auto& point) {
-                       parts[e] = element_energy(group.element(e), group.positions(x, e), point);
+                     [&](long e, const auto& point)
+                     {
+                       parts[e] = energy_beyond_points(point) +
+                                  element_energy(group.element(e), group.positions(x, e), point);
                      });
-    add_volume_energies(group, l, x, parts);
+    if constexpr (std::is_same_v<Element, Tet4>)
+      add_patch_energies(group, l, x, parts);
   };
   std::visit(with_law, law);
 }
@@ -176,16 +199,12 @@ void ElementLoops<Element>::stiffness(const Group& group, const Law& law, Tangen
     for_each_element(group, l, x,
                      [&](long e, const auto& point)
                      {
-                       using Point = std::decay_t<decltype(point)>;
-                       double* K = &blocks[9 * group.block(e)];
-                       const Positions p = group.positions(x, e);
                        matrix_at<Positions>(slots, 3 * group.slot(e)) =
-                           tangent == Tangent::Exact
-                               ? element_forces(group.element(e), p, point, K)
-                               : element_forces(group.element(e), p, PositiveTangent<Point>{point},
-                                                K);
+                           full_stiffness(group.element(e), group.positions(x, e), point, tangent,
+                                          &blocks[9 * group.block(e)]);
                      });
-    add_volume_stiffness(group, l, tangent, x, blocks, patches);
+    if constexpr (std::is_same_v<Element, Tet4>)
+      compute_patch_stiffness(group, l, tangent, x, patches);
   };
   std::visit(with_law, law);
 }

@@ -13,16 +13,14 @@
 namespace f2b
 {
 
-/// The law of a point whose domain feels the tension t: psi_iso(F) + t J(F), without t in `energy`.
+/// A law as a function of shape plus a function U of dilatation.
 template <class Law>
-struct AveragedPoint;
+struct DilatationSplit;
 
 template <class Isochoric>
-struct AveragedPoint<Hyperelastic<Isochoric>>
+struct DilatationSplit<Hyperelastic<Isochoric>>
 {
   using Law = Hyperelastic<Isochoric>;
-  const Law& law;
-  double tension = 0; ///< [MPa]
 
   static double dilatation(const Mat3& F) { return F.determinant(); }
   /// dJ/dF, the cofactors of F.
@@ -37,35 +35,33 @@ struct AveragedPoint<Hyperelastic<Isochoric>>
   static double volume_slope(const Law& law, double d) { return law.volumetric.slope(d); }
   static double volume_curvature(const Law& law, double d) { return law.volumetric.curvature(d); }
 
-  double energy(const Mat3& F) const { return law.isochoric_energy(F); }
-  Mat3 stress(const Mat3& F) const
+  /// Adds t d2J/dF2.
+  static void add_dilatation_curvature(const Mat3& F, double t, Mat9& tangent)
   {
-    return law.isochoric_stress(F) + tension * dilatation_slope(F);
-  }
-  Mat3 stress(const Mat3& F, Mat9& tangent) const
-  {
-    const Mat3 isochoric = law.isochoric_stress(F, tangent);
     // column i + 1 of the cofactors changes with column i by the cross product with column i + 2
     for (int i = 0; i < 3; ++i)
     {
       const int j = (i + 1) % 3;
-      const Vec3 v = tension * F.col((i + 2) % 3);
+      const Vec3 v = t * F.col((i + 2) % 3);
       Mat3 cross;
       cross << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
       tangent.template block<3, 3>(3 * j, 3 * i) += cross;
       tangent.template block<3, 3>(3 * i, 3 * j) -= cross;
     }
-    return isochoric + tension * dilatation_slope(F);
+  }
+
+  static double shape_energy(const Law& law, const Mat3& F) { return law.isochoric_energy(F); }
+  static Mat3 shape_stress(const Law& law, const Mat3& F) { return law.isochoric_stress(F); }
+  static Mat3 shape_stress(const Law& law, const Mat3& F, Mat9& tangent)
+  {
+    return law.isochoric_stress(F, tangent);
   }
 };
 
 /// The same for small strain: the mean of 1 + tr(e) stands for the mean of J.
 template <>
-struct AveragedPoint<LinearElastic>
+struct DilatationSplit<LinearElastic>
 {
-  const LinearElastic& law;
-  double tension = 0;
-
   static double dilatation(const Mat3& F) { return F.trace() - 2; }
   static Mat3 dilatation_slope(const Mat3&) { return Mat3::Identity(); }
   static double volume_energy(const LinearElastic& law, double d)
@@ -78,16 +74,42 @@ struct AveragedPoint<LinearElastic>
   }
   static double volume_curvature(const LinearElastic& law, double) { return law.bulk_modulus; }
 
-  double energy(const Mat3& F) const { return shape().energy(F); }
-  Mat3 stress(const Mat3& F) const { return shape().stress(F) + tension * Mat3::Identity(); }
-  Mat3 stress(const Mat3& F, Mat9& tangent) const
+  static void add_dilatation_curvature(const Mat3&, double, Mat9&) {}
+
+  /// Without a bulk modulus, what remains is the energy of the deviatoric strain.
+  static double shape_energy(const LinearElastic& law, const Mat3& F)
   {
-    return shape().stress(F, tangent) + tension * Mat3::Identity();
+    return shape(law).energy(F);
+  }
+  static Mat3 shape_stress(const LinearElastic& law, const Mat3& F) { return shape(law).stress(F); }
+  static Mat3 shape_stress(const LinearElastic& law, const Mat3& F, Mat9& tangent)
+  {
+    return shape(law).stress(F, tangent);
   }
 
 private:
-  /// Without a bulk modulus, what remains is the energy of the deviatoric strain.
-  LinearElastic shape() const { return {law.shear_modulus, 0}; }
+  static LinearElastic shape(const LinearElastic& law) { return {law.shear_modulus, 0}; }
+};
+
+/// The law of a point whose domain feels the tension t: psi_iso(F) + t J(F), without t in `energy`.
+template <class Law>
+struct AveragedPoint
+{
+  using Split = DilatationSplit<Law>;
+  const Law& law;
+  double tension = 0; ///< [MPa]
+
+  double energy(const Mat3& F) const { return Split::shape_energy(law, F); }
+  Mat3 stress(const Mat3& F) const
+  {
+    return Split::shape_stress(law, F) + tension * Split::dilatation_slope(F);
+  }
+  Mat3 stress(const Mat3& F, Mat9& tangent) const
+  {
+    const Mat3 shape = Split::shape_stress(law, F, tangent);
+    Split::add_dilatation_curvature(F, tension, tangent);
+    return shape + tension * Split::dilatation_slope(F);
+  }
 };
 
 /// Volume at rest [mm^3].
@@ -106,7 +128,7 @@ double dilated_volume(const Element& element, const typename Element::Positions&
 {
   double volume = 0;
   for (std::size_t q = 0; q < Element::points; ++q)
-    volume += element.volumes[q] * AveragedPoint<Law>::dilatation(x * element.gradients[q]);
+    volume += element.volumes[q] * DilatationSplit<Law>::dilatation(x * element.gradients[q]);
   return volume;
 }
 
@@ -120,7 +142,7 @@ typename Element::Positions dilated_volume_slope(const Element& element,
   {
     const auto& G = element.gradients[q];
     const Mat3 F = x * G;
-    slope += element.volumes[q] * AveragedPoint<Law>::dilatation_slope(F) * G.transpose();
+    slope += element.volumes[q] * DilatationSplit<Law>::dilatation_slope(F) * G.transpose();
   }
   return slope;
 }

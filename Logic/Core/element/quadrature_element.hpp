@@ -1,6 +1,7 @@
 #pragma once
 
 #include "Core/geometry/vectors.hpp"
+#include "Core/material/positive_tangent.hpp"
 
 /// What are an element's energy, forces and stiffness at given control vectors?
 namespace f2b
@@ -46,6 +47,13 @@ constexpr int block_count(int n)
   return n * (n + 1) / 2;
 }
 
+/// The law of quadrature point q; overloaded for laws that differ from point to point.
+template <class PointLaw, class Gradients>
+const PointLaw& law_at(const PointLaw& law, std::size_t /*q*/, const Gradients& /*at_q*/)
+{
+  return law;
+}
+
 /// Strain energy [N mm]; infinite if the law is at a quadrature point.
 template <class Element, class PointLaw>
 double element_energy(const Element& element, const typename Element::Positions& x,
@@ -53,7 +61,8 @@ double element_energy(const Element& element, const typename Element::Positions&
 {
   double energy = 0;
   for (std::size_t q = 0; q < Element::points; ++q)
-    energy += element.volumes[q] * law.energy(x * element.gradients[q]);
+    energy +=
+        element.volumes[q] * law_at(law, q, element.gradients[q]).energy(x * element.gradients[q]);
   return energy;
 }
 
@@ -67,7 +76,7 @@ element_forces(const Element& element, const typename Element::Positions& x, con
   {
     const auto& G = element.gradients[q];
     const Mat3 F = x * G;
-    forces += element.volumes[q] * law.stress(F) * G.transpose();
+    forces += element.volumes[q] * law_at(law, q, G).stress(F) * G.transpose();
   }
   return forces;
 }
@@ -105,10 +114,11 @@ void write_component(const Eigen::Matrix<double, N, D>& left, const double* righ
 
 /// Internal forces and stiffness d2E/dx2 [N/mm].
 /// \param[out] stiffness  9 block_count(N) numbers, see `block_index`
+/// \param positive        makes every point's tangent positive semi-definite
 template <class Element, class PointLaw>
-typename Element::Positions element_forces(const Element& element,
-                                           const typename Element::Positions& x,
-                                           const PointLaw& law, double* stiffness)
+typename Element::Positions
+element_forces(const Element& element, const typename Element::Positions& x, const PointLaw& law,
+               double* stiffness, bool positive = false)
 {
   constexpr int N = Element::corners, Q = Element::points;
   static constexpr int pairs[6][2] = {{0, 0}, {0, 1}, {0, 2}, {1, 1}, {1, 2}, {2, 2}};
@@ -120,7 +130,9 @@ typename Element::Positions element_forces(const Element& element,
   {
     const auto& G = element.gradients[q];
     const Mat3 F = x * G;
-    forces += element.volumes[q] * law.stress(F, tangent) * G.transpose();
+    forces += element.volumes[q] * law_at(law, q, G).stress(F, tangent) * G.transpose();
+    if (positive)
+      make_positive(tangent);
     for (std::size_t p = 0; p < 6; ++p)
     {
       const Mat3 part =

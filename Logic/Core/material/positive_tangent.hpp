@@ -13,20 +13,4 @@ namespace f2b
 /// the energy. Where dP/dF has no negative eigenvalue it is left as it is, bit for bit.
 void make_positive(Eigen::Matrix<double, 9, 9>& tangent);
 
-/// A law with its tangent made positive; energy and stress are the law's own.
-template <class Law>
-struct PositiveTangent
-{
-  const Law& law;
-
-  double energy(const Mat3& F) const { return law.energy(F); }
-  Mat3 stress(const Mat3& F) const { return law.stress(F); }
-  Mat3 stress(const Mat3& F, Eigen::Matrix<double, 9, 9>& tangent) const
-  {
-    const Mat3 P = law.stress(F, tangent);
-    make_positive(tangent);
-    return P;
-  }
-};
-
 } // namespace f2b

@@ -1,0 +1,12 @@
+#pragma once
+
+namespace f2b
+{
+
+/// Sets the negative eigenvalues of an element's stiffness to zero; where there is none, nothing is
+/// changed.
+/// \param stiffness  9 block_count(n) numbers, see `block_index`
+/// \param n          control vectors of the element
+void make_positive(double* stiffness, int n);
+
+} // namespace f2b

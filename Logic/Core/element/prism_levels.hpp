@@ -1,0 +1,285 @@
+#pragma once
+
+#include "Core/element/mean_dilatation.hpp"
+
+#include <limits>
+
+/// How does a single layer of prisms bend when a prism feels only its mean change of volume?
+///
+/// A prism's thickness is linear through its depth: it cannot swell on the inner side of a bend and
+/// shrink on the outer one, as matter that keeps its volume does. Felt at every point, the volume
+/// locks the bend; felt only in the mean it leaves the bend 3 to 9 times too soft. Therefore the
+/// thickness strain gets the linear part that is missing, as in shells with seven parameters
+/// (N. Buechter, E. Ramm, D. Roehl, Int. J. Numer. Meth. Engng 37 (1994) 2551), but instead of
+/// being an unknown it is fixed by the volume: the two levels of quadrature points, upper and
+/// lower, with mean dilatations m_1 and m_2, are stretched along the rest normal N by r_l = m/m_l,
+/// so that both have the mean m. The energy, of which m's part is that of mean_dilatation.hpp, is
+///   sum_q w_q psi_iso(F_q + (r_l - 1) F_q N N^T) + V U(m).
+namespace f2b
+{
+
+/// The stretch of a level, a function of the prism's and the level's mean dilatations.
+template <class Law>
+struct LevelStretch;
+
+template <class Isochoric>
+struct LevelStretch<Hyperelastic<Isochoric>>
+{
+  LevelStretch(double mean, double level)
+      : value(mean / level), by_mean(1 / level), by_level(-mean / (level * level)),
+        by_mean_level(-1 / (level * level)), by_level_level(2 * mean / (level * level * level))
+  {
+  }
+  double value;
+  double by_mean, by_level, by_mean_level, by_level_level;
+
+  static bool admissible(const Mat3& F) { return F.determinant() > 0; }
+  Mat3 apply(const Mat3& F, const Vec3& N) const
+  {
+    return F + ((value - 1) * F * N) * N.transpose();
+  }
+  /// d apply(F) / d value
+  static Mat3 slope(const Mat3& F, const Vec3& N) { return (F * N) * N.transpose(); }
+  /// What a change of F does to P : slope(F) while P is held.
+  static Mat3 slope_of_work(const Mat3& P, const Vec3& N) { return (P * N) * N.transpose(); }
+  /// Adjoint of F -> apply(F).
+  Mat3 pull_back(const Mat3& P, const Vec3& N) const
+  {
+    return P + ((value - 1) * P * N) * N.transpose();
+  }
+  /// The same on both sides of d vec(P) / d vec(F).
+  void pull_back(Mat9& tangent, const Vec3& N) const
+  {
+    Eigen::Matrix<double, 9, 3> across; // tangent (N x 1)
+    across = tangent.leftCols<3>() * N[0] + tangent.middleCols<3>(3) * N[1] +
+             tangent.rightCols<3>() * N[2];
+    for (int k = 0; k < 3; ++k)
+      tangent.middleCols<3>(3 * k) += (value - 1) * N[k] * across;
+    Eigen::Matrix<double, 3, 9> down;
+    down = tangent.topRows<3>() * N[0] + tangent.middleRows<3>(3) * N[1] +
+           tangent.bottomRows<3>() * N[2];
+    for (int k = 0; k < 3; ++k)
+      tangent.middleRows<3>(3 * k) += (value - 1) * N[k] * down;
+  }
+};
+
+/// For small strain the levels are strained by m - m_l.
+template <>
+struct LevelStretch<LinearElastic>
+{
+  LevelStretch(double mean, double level) : value(mean - level) {}
+  double value;
+  static constexpr double by_mean = 1, by_level = -1, by_mean_level = 0, by_level_level = 0;
+
+  static bool admissible(const Mat3&) { return true; }
+  Mat3 apply(const Mat3& F, const Vec3& N) const { return F + value * N * N.transpose(); }
+  static Mat3 slope(const Mat3&, const Vec3& N) { return N * N.transpose(); }
+  static Mat3 slope_of_work(const Mat3&, const Vec3&) { return Mat3::Zero(); }
+  static Mat3 pull_back(const Mat3& P, const Vec3&) { return P; }
+  static void pull_back(Mat9&, const Vec3&) {}
+};
+
+/// The law of a point on a stretched level that feels a tension on its dilatation.
+template <class Law>
+struct LevelPoint
+{
+  using Split = DilatationSplit<Law>;
+  const Law& law;
+  LevelStretch<Law> stretch;
+  double tension; ///< [MPa]
+  Vec3 normal;
+
+  double energy(const Mat3& F) const
+  {
+    if (!stretch.admissible(F))
+      return std::numeric_limits<double>::infinity();
+    return Split::shape_energy(law, stretch.apply(F, normal));
+  }
+  Mat3 stress(const Mat3& F) const
+  {
+    const Mat3 P = Split::shape_stress(law, stretch.apply(F, normal));
+    return stretch.pull_back(P, normal) + tension * Split::dilatation_slope(F);
+  }
+  Mat3 stress(const Mat3& F, Mat9& tangent) const
+  {
+    const Mat3 P = Split::shape_stress(law, stretch.apply(F, normal), tangent);
+    stretch.pull_back(tangent, normal);
+    Split::add_dilatation_curvature(F, tension, tangent);
+    return stretch.pull_back(P, normal) + tension * Split::dilatation_slope(F);
+  }
+};
+
+/// A prism's levels at a state: the law of its points, and the energy and stiffness beyond them.
+///
+/// The quadrature points' first half lies on one level, the second half on the other; the last
+/// three control vectors are those of the lower face.
+template <class Law, class Element>
+class PrismLevels
+{
+public:
+  using Positions = typename Element::Positions;
+  using Split = DilatationSplit<Law>;
+
+  PrismLevels(const Element& element, const Positions& x, const Law& law)
+      : m_element(element), m_x(x), m_law(law)
+  {
+    measure();
+    find_tensions();
+  }
+
+  LevelPoint<Law> point(std::size_t q) const
+  {
+    const std::size_t l = level(q);
+    return {m_law, LevelStretch<Law>(m_mean, m_level_mean[l]), m_tension[l], m_normal};
+  }
+  /// V U(m) [N mm]
+  double volume_energy() const { return m_volume * Split::volume_energy(m_law, m_mean); }
+  /// Adds what the changes of levels and mean bring to the stiffness of the points.
+  void add_stiffness(double* stiffness) const;
+
+private:
+  static constexpr std::size_t half = Element::points / 2;
+  static std::size_t level(std::size_t q) { return q / half; }
+  void measure();
+  void find_tensions();
+  /// Second derivatives of the energy by the four numbers m_1, m_2 and, mixed with states, r_1, r_2.
+  Eigen::Matrix4d coupling(const std::array<double, 2>& curvature) const;
+  Eigen::Matrix2d stretch_slopes() const;
+
+  const Element& m_element;
+  const Positions& m_x;
+  const Law& m_law;
+  Vec3 m_normal; ///< one for the prism, else a constant stress would not be in balance
+  double m_volume = 0, m_mean = 1;
+  std::array<double, 2> m_level_volume{}, m_level_mean{};
+  std::array<double, 2> m_work{};    ///< d sum w psi_iso / d r_l [N mm]
+  std::array<double, 2> m_tension{}; ///< dW/dm_l over the level's volume [MPa]
+};
+
+template <class Law, class Element>
+LevelPoint<Law> law_at(const PrismLevels<Law, Element>& levels, std::size_t q,
+                       const typename Element::Gradients&)
+{
+  return levels.point(q);
+}
+
+template <class Law, class Element>
+void PrismLevels<Law, Element>::measure()
+{
+  Vec3 depth_gradient = Vec3::Zero(); // the depth is the sum of the lower face's shape functions
+  for (std::size_t q = 0; q < Element::points; ++q)
+  {
+    m_level_volume[level(q)] += m_element.volumes[q];
+    m_level_mean[level(q)] +=
+        m_element.volumes[q] * Split::dilatation(m_x * m_element.gradients[q]);
+    depth_gradient += m_element.volumes[q] *
+                      m_element.gradients[q].template bottomRows<3>().colwise().sum().transpose();
+  }
+  m_normal = depth_gradient.normalized();
+  m_volume = m_level_volume[0] + m_level_volume[1];
+  m_mean = (m_level_mean[0] + m_level_mean[1]) / m_volume;
+  for (std::size_t l = 0; l < 2; ++l)
+    m_level_mean[l] /= m_level_volume[l];
+}
+
+/// Row l: derivatives of r_l by m_1 and m_2, of which m is the weighted mean.
+template <class Law, class Element>
+Eigen::Matrix2d PrismLevels<Law, Element>::stretch_slopes() const
+{
+  Eigen::Matrix2d slopes;
+  for (int l = 0; l < 2; ++l)
+  {
+    const LevelStretch<Law> stretch(m_mean, m_level_mean[static_cast<std::size_t>(l)]);
+    for (int k = 0; k < 2; ++k)
+      slopes(l, k) = stretch.by_mean * m_level_volume[static_cast<std::size_t>(k)] / m_volume +
+                     (l == k ? stretch.by_level : 0);
+  }
+  return slopes;
+}
+
+template <class Law, class Element>
+void PrismLevels<Law, Element>::find_tensions()
+{
+  for (std::size_t q = 0; q < Element::points; ++q)
+  {
+    const Mat3 F = m_x * m_element.gradients[q];
+    const LevelPoint<Law> at = point(q);
+    const Mat3 P = Split::shape_stress(m_law, at.stretch.apply(F, at.normal));
+    m_work[level(q)] += m_element.volumes[q] * P.cwiseProduct(at.stretch.slope(F, at.normal)).sum();
+  }
+  const Eigen::Matrix2d slopes = stretch_slopes();
+  for (std::size_t k = 0; k < 2; ++k)
+  {
+    const auto column = static_cast<Eigen::Index>(k);
+    const double by_stretch = m_work[0] * slopes(0, column) + m_work[1] * slopes(1, column);
+    m_tension[k] = Split::volume_slope(m_law, m_mean) + by_stretch / m_level_volume[k];
+  }
+}
+
+template <class Law, class Element>
+Eigen::Matrix4d PrismLevels<Law, Element>::coupling(const std::array<double, 2>& curvature) const
+{
+  const Eigen::Matrix2d R = stretch_slopes();
+  const Eigen::Vector2d share(m_level_volume[0] / m_volume, m_level_volume[1] / m_volume);
+  Eigen::Matrix4d M = Eigen::Matrix4d::Zero();
+  M.topLeftCorner<2, 2>() =
+      m_volume * Split::volume_curvature(m_law, m_mean) * share * share.transpose();
+  for (int l = 0; l < 2; ++l)
+  {
+    const auto i = static_cast<std::size_t>(l);
+    const LevelStretch<Law> stretch(m_mean, m_level_mean[i]);
+    M.topLeftCorner<2, 2>() += curvature[i] * R.row(l).transpose() * R.row(l);
+    M.row(l).head<2>() += m_work[i] * stretch.by_mean_level * share.transpose();
+    M.col(l).head<2>() += m_work[i] * stretch.by_mean_level * share;
+    M(l, l) += m_work[i] * stretch.by_level_level;
+  }
+  M.topRightCorner<2, 2>() = R.transpose();
+  M.bottomLeftCorner<2, 2>() = R;
+  return M;
+}
+
+template <class Law, class Element>
+void PrismLevels<Law, Element>::add_stiffness(double* stiffness) const
+{
+  using Vec9 = Eigen::Matrix<double, 9, 1>;
+  constexpr int n = Element::corners;
+  // derivatives by x of m_1, m_2 and of the works at held r_1, r_2
+  std::array<Positions, 4> by_x;
+  by_x.fill(Positions::Zero());
+  std::array<double, 2> curvature{}; // of the energy by r_l
+  Mat9 tangent;
+  for (std::size_t q = 0; q < Element::points; ++q)
+  {
+    const std::size_t l = level(q);
+    const double volume = m_element.volumes[q];
+    const auto& G = m_element.gradients[q];
+    const Mat3 F = m_x * G;
+    const LevelPoint<Law> at = point(q);
+    const Mat3 P = Split::shape_stress(m_law, at.stretch.apply(F, at.normal), tangent);
+    const Mat3 slope = at.stretch.slope(F, at.normal);
+    Mat3 change; // of P with r_l
+    Eigen::Map<Vec9>(change.data()) = tangent * Eigen::Map<const Vec9>(slope.data());
+    curvature[l] += volume * change.cwiseProduct(slope).sum();
+    by_x[l] += volume / m_level_volume[l] * Split::dilatation_slope(F) * G.transpose();
+    by_x[l + 2] +=
+        volume *
+        (at.stretch.slope_of_work(P, at.normal) + at.stretch.pull_back(change, at.normal)) *
+        G.transpose();
+  }
+  const Eigen::Matrix4d M = coupling(curvature);
+  for (int b = 0; b < n; ++b)
+  {
+    Eigen::Matrix<double, 3, 4> right;
+    for (int i = 0; i < 4; ++i)
+      right.col(i) = by_x[static_cast<std::size_t>(i)].col(b);
+    const Eigen::Matrix<double, 4, 3> weighted = M * right.transpose();
+    for (int a = b; a < n; ++a)
+    {
+      Eigen::Map<Mat3> block(stiffness + 9 * block_index(n, a, b));
+      for (int i = 0; i < 4; ++i)
+        block += by_x[static_cast<std::size_t>(i)].col(a) * weighted.row(i);
+    }
+  }
+}
+
+} // namespace f2b
