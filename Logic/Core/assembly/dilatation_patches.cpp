@@ -172,16 +172,17 @@ void Growth::merge_small()
   }
 }
 
+/// Numbered by their first tetrahedron, so that patches lie as their tetrahedra do.
 DilatationPatches Growth::patches() const
 {
   DilatationPatches result;
   std::vector<int> number(m_members.size(), -1);
   result.start.push_back(0);
-  for (std::size_t p = 0; p < m_members.size(); ++p)
-    if (m_members[p] > 0)
+  for (const int p : m_patch)
+    if (number[static_cast<std::size_t>(p)] < 0)
     {
-      number[p] = result.count();
-      result.start.push_back(result.start.back() + m_members[p]);
+      number[static_cast<std::size_t>(p)] = result.count();
+      result.start.push_back(result.start.back() + m_members[static_cast<std::size_t>(p)]);
     }
   std::vector<int> next(result.start.begin(), result.start.end() - 1);
   result.tets.resize(m_tets.size());

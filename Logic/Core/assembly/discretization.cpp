@@ -12,6 +12,13 @@ Discretization::Discretization(const MixedMesh& mesh, ElementScheme scheme)
   m_rest = m_smooth->rest();
 }
 
+int Discretization::node_of(std::size_t control) const
+{
+  const std::size_t nodes = m_mesh.X.size();
+  return control < nodes ? static_cast<int>(control)
+                         : m_smooth->tangents()[(control - nodes) / 2].node;
+}
+
 std::vector<char> Discretization::control_flags(const std::vector<char>& node_flags) const
 {
   std::vector<char> flags = node_flags;

@@ -64,6 +64,9 @@ public:
   /// The slopes of the face, or null: the skin is linear.
   const SmoothSkin* smooth_skin() const { return m_smooth.get(); }
 
+  /// The node that a control vector belongs to.
+  int node_of(std::size_t control) const;
+
   /// Flags of nodes carried over to the control vectors that belong to them: a held node of the
   /// face is clamped.
   std::vector<char> control_flags(const std::vector<char>& node_flags) const;
@@ -90,10 +93,7 @@ std::vector<Vec3> Discretization::mapped_rest(const Map& f, const Derivative& J)
     if (c < nodes)
       x[c] = f(m_rest[c]);
     else
-    {
-      const int node = m_smooth->tangents()[(c - nodes) / 2].node;
-      x[c] = J(m_mesh.X[static_cast<std::size_t>(node)]) * m_rest[c];
-    }
+      x[c] = J(m_mesh.X[static_cast<std::size_t>(node_of(c))]) * m_rest[c];
   }
   return x;
 }

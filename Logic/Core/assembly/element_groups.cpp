@@ -1,9 +1,36 @@
 #include "Core/assembly/element_groups.hpp"
 
 #include "Core/assembly/dilatation_patches.hpp"
+#include "Core/assembly/spatial_order.hpp"
 
 namespace f2b
 {
+namespace
+{
+
+/// The tetrahedra of a tissue, neighbours in space near one another: what their nodes gather then
+/// lies together in memory.
+std::vector<Tet> tets_of(const MixedMesh& mesh, Tissue kind)
+{
+  std::vector<Tet> tets;
+  std::vector<Vec3> centers;
+  for (std::size_t t = 0; t < mesh.tets.size(); ++t)
+    if (mesh.tet_tissue[t] == kind)
+    {
+      tets.push_back(mesh.tets[t]);
+      Vec3 sum = Vec3::Zero();
+      for (const int node : mesh.tets[t])
+        sum += mesh.X[static_cast<std::size_t>(node)];
+      centers.push_back(sum / 4);
+    }
+  std::vector<Tet> sorted;
+  sorted.reserve(tets.size());
+  for (const int t : spatial_order(centers))
+    sorted.push_back(tets[static_cast<std::size_t>(t)]);
+  return sorted;
+}
+
+} // namespace
 
 ElementGroups::ElementGroups(const Discretization& tissue, const MaterialSet& materials)
 {
@@ -20,10 +47,7 @@ void ElementGroups::add_tets(const Discretization& tissue, const MaterialSet& ma
                              Tissue kind)
 {
   const MixedMesh& mesh = tissue.mesh();
-  std::vector<Tet> tets;
-  for (std::size_t t = 0; t < mesh.tets.size(); ++t)
-    if (mesh.tet_tissue[t] == kind)
-      tets.push_back(mesh.tets[t]);
+  const std::vector<Tet> tets = tets_of(mesh, kind);
   if (tets.empty())
     return;
   ElementGroup<Tet4> group;
@@ -39,7 +63,7 @@ void ElementGroups::add_tets(const Discretization& tissue, const MaterialSet& ma
     group.patch_start = std::move(patches.start);
   }
   else
-    group.controls = std::move(tets);
+    group.controls = tets;
   for (std::size_t e = 0; e < group.controls.size(); ++e)
     group.elements.push_back(make_tet4(group.positions(tissue.rest(), static_cast<long>(e))));
   if (group.averaged)

@@ -45,8 +45,8 @@ private:
   long unknown(int node) const
   {
     const auto& controls = m_model.unknown_controls();
-    const auto found = std::lower_bound(controls.begin(), controls.end(), node);
-    return found != controls.end() && *found == node ? 3 * (found - controls.begin()) : -1;
+    const auto found = std::find(controls.begin(), controls.end(), node);
+    return found != controls.end() ? 3 * (found - controls.begin()) : -1;
   }
 
   const SymmetricMatrix& reduce(const SymmetricMatrix& full)
