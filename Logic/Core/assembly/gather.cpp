@@ -159,9 +159,17 @@ Eigen::VectorXd Gather::forces(const std::vector<double>& slots) const
 
 Mat3 Gather::pair_sum(std::size_t pair, const double* blocks, const PatchStiffness& patches) const
 {
+  // blocks of a pair lie far apart: ask for those of the pairs to come while adding these
+  constexpr std::size_t ahead = 12;
   Mat3 sum = Mat3::Zero();
   for (std::size_t i = m_pair_start[pair]; i < m_pair_start[pair + 1]; ++i)
   {
+    if (i + ahead < m_codes.size())
+      if (const std::size_t next = m_codes[i + ahead] / 2; next < m_element_blocks)
+      {
+        __builtin_prefetch(blocks + 9 * next);
+        __builtin_prefetch(blocks + 9 * next + 8);
+      }
     const std::size_t block = m_codes[i] / 2;
     const bool transposed = m_codes[i] % 2;
     if (block >= m_element_blocks)

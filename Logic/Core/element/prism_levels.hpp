@@ -267,18 +267,17 @@ void PrismLevels<Law, Element>::add_stiffness(double* stiffness) const
         G.transpose();
   }
   const Eigen::Matrix4d M = coupling(curvature);
+  std::array<Eigen::Matrix<double, 3, 4>, n> of_control;
+  for (std::size_t a = 0; a < n; ++a)
+    for (int i = 0; i < 4; ++i)
+      of_control[a].col(i) = by_x[static_cast<std::size_t>(i)].col(static_cast<Eigen::Index>(a));
   for (int b = 0; b < n; ++b)
   {
-    Eigen::Matrix<double, 3, 4> right;
-    for (int i = 0; i < 4; ++i)
-      right.col(i) = by_x[static_cast<std::size_t>(i)].col(b);
-    const Eigen::Matrix<double, 4, 3> weighted = M * right.transpose();
+    const Eigen::Matrix<double, 4, 3> weighted =
+        M.lazyProduct(of_control[static_cast<std::size_t>(b)].transpose());
     for (int a = b; a < n; ++a)
-    {
-      Eigen::Map<Mat3> block(stiffness + 9 * block_index(n, a, b));
-      for (int i = 0; i < 4; ++i)
-        block += by_x[static_cast<std::size_t>(i)].col(a) * weighted.row(i);
-    }
+      Eigen::Map<Mat3>(stiffness + 9 * block_index(n, a, b)) +=
+          of_control[static_cast<std::size_t>(a)].lazyProduct(weighted);
   }
 }
 
