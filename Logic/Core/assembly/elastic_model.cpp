@@ -47,8 +47,8 @@ ElasticModel::ElasticModel(const Discretization& tissue, const MaterialSet& mate
   m_patches.scaled.resize(m_groups.patch_slot_count());
 }
 
-/// A control vector that no element uses has no stiffness: it stays where it is. Neighbours in space
-/// get near numbers, whatever order the mesher left the nodes in.
+/// A control vector that no element uses has no stiffness: it stays where it is. Neighbours in
+/// space get near numbers, whatever order the mesher left the nodes in.
 void ElasticModel::number_unknowns(const Discretization& tissue,
                                    const std::vector<char>& prescribed)
 {

@@ -1,5 +1,6 @@
 #pragma once
 
+/// Which positive semi-definite stiffness is nearest to an element's own?
 namespace f2b
 {
 
