@@ -14,7 +14,7 @@ struct EquilibriumOptions
   int max_newton_iterations = 25;       ///< on the way to one equilibrium
   double step_tolerance_mm = 1e-8;      ///< converged when the largest Newton step is below [mm]
   double smallest_load_step = 1.0 / 64; ///< share of the load, below which a move is given up
-  int max_total_iterations = 80;        ///< of one move: then it is given up
+  int max_total_iterations = 60;        ///< of one move: then it is given up
 };
 
 enum class Termination
