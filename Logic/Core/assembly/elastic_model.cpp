@@ -1,7 +1,5 @@
 #include "Core/assembly/elastic_model.hpp"
 
-#include "Core/assembly/spatial_order.hpp"
-
 #include <limits>
 
 namespace f2b
@@ -38,7 +36,7 @@ ElasticModel::ElasticModel(const Discretization& tissue, const MaterialSet& mate
                            const std::vector<char>& prescribed)
     : m_materials(materials), m_rest(tissue.rest()), m_groups(tissue, materials)
 {
-  number_unknowns(tissue, prescribed);
+  number_unknowns(prescribed);
   m_gather = Gather(m_groups.element_cliques(), m_groups.patch_cliques(), m_unknown_of_control,
                     static_cast<long>(m_unknown_controls.size()));
   m_stiffness = m_gather.empty_matrix();
@@ -47,28 +45,17 @@ ElasticModel::ElasticModel(const Discretization& tissue, const MaterialSet& mate
   m_patches.scaled.resize(m_groups.patch_slot_count());
 }
 
-/// A control vector that no element uses has no stiffness: it stays where it is. Neighbours in
-/// space get near numbers, whatever order the mesher left the nodes in.
-void ElasticModel::number_unknowns(const Discretization& tissue,
-                                   const std::vector<char>& prescribed)
+/// A control vector that no element uses has no stiffness: it stays where it is.
+void ElasticModel::number_unknowns(const std::vector<char>& prescribed)
 {
   const std::vector<char> used = used_controls(m_groups, m_rest.size());
   m_unknown_of_control.assign(m_rest.size(), -1);
-  std::vector<int> unknowns;
-  std::vector<Vec3> places;
   for (std::size_t control = 0; control < m_rest.size(); ++control)
     if (!prescribed[control] && used[control])
     {
-      unknowns.push_back(static_cast<int>(control));
-      places.push_back(tissue.mesh().X[static_cast<std::size_t>(tissue.node_of(control))]);
+      m_unknown_of_control[control] = static_cast<int>(m_unknown_controls.size());
+      m_unknown_controls.push_back(static_cast<int>(control));
     }
-  for (const int i : spatial_order(places))
-  {
-    const int control = unknowns[static_cast<std::size_t>(i)];
-    m_unknown_of_control[static_cast<std::size_t>(control)] =
-        static_cast<int>(m_unknown_controls.size());
-    m_unknown_controls.push_back(control);
-  }
 }
 
 void ElasticModel::set_springs(std::vector<SkinSpring> springs, double stiffness)

@@ -22,7 +22,7 @@ public:
   void set_springs(std::vector<SkinSpring> springs, double stiffness);
 
   long unknown_count() const { return 3 * static_cast<long>(m_unknown_controls.size()); }
-  /// Unknown control vectors in no particular order; unknown 3 i + a is component a of control
+  /// Unknown control vectors, ascending; unknown 3 i + a is component a of control
   /// `unknown_controls()[i]`.
   const std::vector<int>& unknown_controls() const { return m_unknown_controls; }
   bool is_prescribed(int control) const
@@ -53,7 +53,7 @@ public:
   PatchSummary patch_summary() const { return m_groups.patch_summary(); }
 
 private:
-  void number_unknowns(const Discretization& tissue, const std::vector<char>& prescribed);
+  void number_unknowns(const std::vector<char>& prescribed);
   template <class Visit>
   void for_each_spring(const Visit& visit) const;
   void add_spring_forces(const std::vector<Vec3>& x, std::vector<double>& slots) const;
