@@ -38,6 +38,7 @@ struct EquilibriumSolver::Walk
   double remaining = 1;   ///< share of the load that x does not carry yet
   bool is_near = true;    ///< x is an equilibrium or close to one
   bool is_thrown = false; ///< the last step put on much load
+  int patience = 1000;    ///< Newton iterations in which x must come near an equilibrium
   double told = 0;
 
   void accept()
@@ -116,9 +117,10 @@ void EquilibriumSolver::tell(Walk& walk) const
 }
 
 /// Takes the longest of the steps 1, 1/2, 1/4, ... that lowers the energy enough and crushes
-/// nothing.
+/// nothing. A step by the positive tangent is short where the exact one is indefinite, as in
+/// buckling: then 2, 4 and 8 are tried as well, as long as the energy falls.
 bool EquilibriumSolver::line_search(Walk& walk, const Eigen::VectorXd& forces,
-                                    const Eigen::VectorXd& step)
+                                    const Eigen::VectorXd& step, bool extend)
 {
   const double before = energy(walk.x);
   const double slope = forces.dot(step);
@@ -128,11 +130,20 @@ bool EquilibriumSolver::line_search(Walk& walk, const Eigen::VectorXd& forces,
   for (double scale = 1; scale > 1e-4; scale /= 2)
   {
     std::vector<Vec3> trial = moved(walk.x, step, scale);
-    if (energy(trial) <= before + 1e-4 * scale * slope + noise && keeps_volume(volumes, trial, 0.1))
+    double reached = energy(trial);
+    if (!(reached <= before + 1e-4 * scale * slope + noise && keeps_volume(volumes, trial, 0.1)))
+      continue;
+    for (double longer = 2; extend && scale == 1 && longer <= 8; longer *= 2)
     {
-      walk.x = std::move(trial);
-      return true;
+      std::vector<Vec3> farther = moved(walk.x, step, longer);
+      const double there = energy(farther);
+      if (!(there < reached - noise && keeps_volume(volumes, farther, 0.1)))
+        break;
+      trial = std::move(farther);
+      reached = there;
     }
+    walk.x = std::move(trial);
+    return true;
   }
   return false;
 }
@@ -171,12 +182,12 @@ std::optional<double> EquilibriumSolver::newton_iteration(Walk& walk, double for
     walk.x = moved(walk.x, step, 1);
     return length;
   }
-  if (line_search(walk, forces, step))
+  if (line_search(walk, forces, step, !exact))
     return length;
   if (!exact)
     return std::nullopt;
   step = m_tangents.solve_positive(-forces);
-  if (line_search(walk, forces, step))
+  if (line_search(walk, forces, step, true))
     return std::max(largest(step), m_options.step_tolerance_mm);
   return std::nullopt;
 }
@@ -186,6 +197,8 @@ bool EquilibriumSolver::newton(Walk& walk)
   double length = 1;
   for (int i = 0; i < m_options.max_newton_iterations && walk.iterations_left > 0; ++i)
   {
+    if (!walk.is_near && i >= walk.patience)
+      return false;
     // as tight as quadratic convergence asks for, with 1 mm as the scale
     const double forcing = std::clamp(0.1 * length, 1e-9, 0.1);
     const std::optional<double> taken = newton_iteration(walk, forcing);
@@ -283,13 +296,14 @@ EquilibriumSummary EquilibriumSolver::move_to(std::vector<Vec3>& x, const std::v
   EquilibriumSummary summary;
   {
     const TimedPart time(m_tangents.effort().total);
-    const int half = m_options.max_total_iterations / 2;
-    Walk bold{x, target, summary, half};
+    const int third = m_options.max_total_iterations / 3;
+    Walk bold{x, target, summary, third};
+    bold.patience = 12;
     summary.termination = walk(bold, {0.3, false});
     if (summary.termination == Termination::EquilibriumLost ||
         summary.termination == Termination::IterationLimit)
     {
-      Walk careful{x, target, summary, half + bold.iterations_left};
+      Walk careful{x, target, summary, 2 * third + bold.iterations_left};
       careful.remaining = 1 - summary.load_reached;
       careful.told = bold.told;
       summary.termination = walk(careful, {0.6, true});

@@ -14,7 +14,7 @@ struct EquilibriumOptions
   int max_newton_iterations = 25;       ///< on the way to one equilibrium
   double step_tolerance_mm = 1e-8;      ///< converged when the largest Newton step is below [mm]
   double smallest_load_step = 1.0 / 64; ///< share of the load, below which a move is given up
-  int max_total_iterations = 60;        ///< of one move: then it is given up
+  int max_total_iterations = 120;       ///< of one move: then it is given up
 };
 
 enum class Termination
@@ -86,7 +86,8 @@ private:
   std::optional<Eigen::MatrixXd> exact_step(Walk& walk, const Eigen::VectorXd& load,
                                             double forcing);
   std::optional<double> newton_iteration(Walk& walk, double forcing);
-  bool line_search(Walk& walk, const Eigen::VectorXd& forces, const Eigen::VectorXd& step);
+  bool line_search(Walk& walk, const Eigen::VectorXd& forces, const Eigen::VectorXd& step,
+                   bool extend);
   double energy(const std::vector<Vec3>& x);
   bool keeps_volume(const std::vector<double>& before, const std::vector<Vec3>& x, double share);
   std::vector<Vec3> moved(const std::vector<Vec3>& x, const Eigen::VectorXd& step,
