@@ -98,7 +98,8 @@ struct OurSolve
   void solve(const ForwardProblem& problem, int increments)
   {
     tissue = std::make_unique<Discretization>(problem.mesh);
-    model = std::make_unique<ElasticModel>(*tissue, problem.materials, held_nodes(problem.mesh));
+    model = std::make_unique<ElasticModel>(*tissue, problem.materials,
+                                           held_nodes(problem.mesh, Held::BoneAndFragments));
     EquilibriumOptions options;
     options.step_tolerance_mm = 1e-5; // 1e-4 leaves 1.5e-6 in ccx's measure, over its 1e-6
     EquilibriumSolver solver(*model, options);

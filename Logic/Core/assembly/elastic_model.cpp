@@ -34,7 +34,7 @@ std::vector<char> used_controls(const ElementGroups& groups, std::size_t count)
 
 ElasticModel::ElasticModel(const Discretization& tissue, const MaterialSet& materials,
                            const std::vector<char>& prescribed)
-    : m_materials(materials), m_rest(tissue.rest()), m_groups(tissue, materials)
+    : m_materials(materials), m_groups(tissue, materials)
 {
   number_unknowns(prescribed);
   m_gather = Gather(m_groups.element_cliques(), m_groups.patch_cliques(), m_unknown_of_control,
@@ -48,9 +48,9 @@ ElasticModel::ElasticModel(const Discretization& tissue, const MaterialSet& mate
 /// A control vector that no element uses has no stiffness: it stays where it is.
 void ElasticModel::number_unknowns(const std::vector<char>& prescribed)
 {
-  const std::vector<char> used = used_controls(m_groups, m_rest.size());
-  m_unknown_of_control.assign(m_rest.size(), -1);
-  for (std::size_t control = 0; control < m_rest.size(); ++control)
+  const std::vector<char> used = used_controls(m_groups, prescribed.size());
+  m_unknown_of_control.assign(prescribed.size(), -1);
+  for (std::size_t control = 0; control < prescribed.size(); ++control)
     if (!prescribed[control] && used[control])
     {
       m_unknown_of_control[control] = static_cast<int>(m_unknown_controls.size());

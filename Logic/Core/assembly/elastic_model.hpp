@@ -50,7 +50,6 @@ public:
   /// Smallest det F at any quadrature point, whatever the law: positive if no element is inverted.
   double smallest_dilatation(const std::vector<Vec3>& x) const;
   const ElementGroups& groups() const { return m_groups; }
-  PatchSummary patch_summary() const { return m_groups.patch_summary(); }
 
 private:
   void number_unknowns(const std::vector<char>& prescribed);
@@ -65,7 +64,6 @@ private:
   double spring_energy(const std::vector<Vec3>& x) const;
 
   const MaterialSet& m_materials;
-  const std::vector<Vec3>& m_rest;
   ElementGroups m_groups;
   std::vector<SkinSpring> m_springs;
   double m_spring_stiffness = 0;

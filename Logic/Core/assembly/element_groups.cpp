@@ -148,24 +148,4 @@ std::vector<Clique> ElementGroups::patch_cliques() const
   return cliques;
 }
 
-PatchSummary ElementGroups::patch_summary() const
-{
-  PatchSummary summary;
-  for_each(
-      [&](const auto& group)
-      {
-        for (std::size_t p = 0; p + 1 < group.patch_start.size(); ++p)
-        {
-          const int size = group.patch_start[p + 1] - group.patch_start[p];
-          summary.smallest = summary.patches ? std::min(summary.smallest, size) : size;
-          summary.largest = std::max(summary.largest, size);
-          summary.tets += size;
-          ++summary.patches;
-        }
-      });
-  if (summary.patches)
-    summary.mean_controls = static_cast<double>(m_patch_slots) / summary.patches;
-  return summary;
-}
-
 } // namespace f2b

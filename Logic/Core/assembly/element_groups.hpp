@@ -12,15 +12,6 @@
 namespace f2b
 {
 
-/// The patches of tetrahedra that share a change of volume.
-struct PatchSummary
-{
-  int patches = 0;
-  int tets = 0;                  ///< in patches
-  int smallest = 0, largest = 0; ///< tetrahedra of a patch
-  double mean_controls = 0;      ///< control vectors that a patch couples
-};
-
 /// All elements of a discretization, in groups of one kind and tissue.
 ///
 /// With averaged dilatation every prism has a mean dilatation of its own, and tetrahedra form
@@ -54,7 +45,6 @@ public:
 
   std::vector<Clique> element_cliques() const;
   std::vector<Clique> patch_cliques() const;
-  PatchSummary patch_summary() const;
 
 private:
   template <class Groups, class Visit>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "Core/assembly/elastic_model.hpp"
-#include "Core/geometry/rigid_motion.hpp"
+#include "Core/models/forward_problem.hpp"
 #include "Core/progress.hpp"
 #include "Core/solve/equilibrium.hpp"
 
@@ -25,18 +25,6 @@ struct SkinTarget
   std::vector<Vec3> displacement; ///< [mm]
   std::vector<double> weight;     ///< >= 0; 0: the face may do there as it likes
 };
-
-/// Which control vectors are given?
-enum class Held
-{
-  BoneAndFragments, ///< Gamma_c, Gamma_n and the crop walls: fragments are moved
-  BoneOnly,         ///< Gamma_c and the crop walls: Gamma_n is free of traction
-};
-std::vector<char> held_controls(const Discretization& tissue, Held held);
-
-/// Control vectors at rest, but for each fragment's nodes, which are moved rigidly.
-std::vector<Vec3> with_fragments_moved(const Discretization& tissue,
-                                       const std::vector<RigidMotion>& motions);
 
 /// Rest motions, one per fragment, about the model's reference points.
 std::vector<RigidMotion> rest_motions(const FaceModel& face);

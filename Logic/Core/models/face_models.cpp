@@ -1,6 +1,7 @@
 #include "Core/models/face_models.hpp"
 
 #include "Core/error.hpp"
+#include "Core/inverse/face_model.hpp"
 #include "Core/mesh/split_prisms.hpp"
 
 namespace f2b
@@ -21,27 +22,6 @@ MaterialSet linearized(const MaterialSet& materials)
         LinearElastic{shear_modulus(materials.laws[t]), bulk_modulus(materials.laws[t])};
   return linear;
 }
-
-/// Rest plus the movement of the fragments, for all control vectors.
-std::vector<Vec3> target_of(const Discretization& tissue, const std::vector<Vec3>& displacement)
-{
-  std::vector<Vec3> target = tissue.rest();
-  for (std::size_t n = 0; n < displacement.size(); ++n)
-    target[n] += displacement[n];
-  return target;
-}
-
-/// What is set up before anything is solved.
-struct TissueModel
-{
-  TissueModel(const Discretization& discretization, const MaterialSet& materials)
-      : tissue(discretization),
-        elastic(tissue, materials, tissue.control_flags(held_nodes(tissue.mesh())))
-  {
-  }
-  const Discretization& tissue;
-  ElasticModel elastic;
-};
 
 /// A stiffness that is the same everywhere: one factorisation, one solve with the forces that the
 /// movement puts on the unknowns where they rest.
@@ -80,15 +60,15 @@ std::vector<Vec3> solve_linear(const Discretization& tissue, const ForwardProble
                                FaceModelResult& result)
 {
   const MaterialSet laws = linearized(problem.materials);
-  TissueModel model(tissue, laws);
+  ElasticModel model(tissue, laws, held_controls(tissue, Held::BoneAndFragments));
   EquilibriumSummary& summary = result.equilibrium;
   const TimedPart timed(summary.effort.total);
   const std::vector<Vec3> movement = fragment_displacements(problem);
-  const Eigen::VectorXd motion = solve_once(model.elastic, tissue.rest(), movement, summary.effort);
+  const Eigen::VectorXd motion = solve_once(model, tissue.rest(), movement, summary.effort);
   std::vector<Vec3> x = tissue.rest();
   for (std::size_t n = 0; n < x.size(); ++n)
     x[n] += movement[n];
-  const auto& unknown = model.elastic.unknown_controls();
+  const auto& unknown = model.unknown_controls();
   for (std::size_t i = 0; i < unknown.size(); ++i)
     x[static_cast<std::size_t>(unknown[i])] += motion.segment<3>(3 * static_cast<Eigen::Index>(i));
   summary.load_steps = summary.newton_iterations = 1;
@@ -108,23 +88,23 @@ std::vector<Vec3> relax_tensors(const MixedMesh& tets, const ForwardProblem& pro
     tensors.emplace(tets, problem.materials);
   }
   std::vector<Vec3> x = fragment_displacements(problem);
-  result.relaxation = relax(*tensors, x, held_nodes(tets), options, progress);
+  result.relaxation =
+      relax(*tensors, x, held_nodes(tets, Held::BoneAndFragments), options, progress);
   for (std::size_t n = 0; n < x.size(); ++n)
     x[n] += tets.X[n];
   return x;
 }
 
-std::vector<Vec3> solve_nonlinear(const Discretization& tissue, const ForwardProblem& problem,
-                                  const EquilibriumOptions& options, const Progress& progress,
-                                  FaceModelResult& result)
+std::vector<Vec3> solve_nonlinear(const Discretization& tissue, const SkinInterpolation& skin,
+                                  const ForwardProblem& problem, const EquilibriumOptions& options,
+                                  const Progress& progress, FaceModelResult& result)
 {
-  TissueModel model(tissue, problem.materials);
-  EquilibriumSolver solver(model.elastic, options);
-  solver.set_progress([&](double share) { progress("predicting the face", share); });
-  std::vector<Vec3> x = tissue.rest();
-  result.equilibrium = solver.move_to(x, target_of(tissue, fragment_displacements(problem)));
-  result.stability = examine_stability(tissue, problem.materials, x);
-  return x;
+  Prediction prediction =
+      predict_face({tissue, problem.materials, skin, {}, {}}, problem.motions, options, progress);
+  result.equilibrium = prediction.summary;
+  result.skin_displacement = std::move(prediction.skin_displacement);
+  result.stability = examine_stability(tissue, problem.materials, prediction.x);
+  return std::move(prediction.x);
 }
 
 } // namespace
@@ -154,22 +134,26 @@ FaceModelResult predict_with(FaceModelKind model, const ForwardProblem& problem,
   if (model == FaceModelKind::NfmEm)
   {
     const Discretization tissue(problem.mesh, mixed_elements);
-    result.x = solve_nonlinear(tissue, problem, options.equilibrium, progress, result);
-    result.skin_displacement = SkinInterpolation(tissue, skin).displacement(result.x);
+    result.x = solve_nonlinear(tissue, SkinInterpolation(tissue, skin), problem,
+                               options.equilibrium, progress, result);
     result.x.resize(problem.mesh.X.size());
     return result;
   }
   const MixedMesh tets = split_prisms(problem.mesh);
   const ForwardProblem on_tets = {tets, problem.materials, problem.motions};
   const Discretization tissue(tets);
+  // the nodes are the same, so the prisms' faces carry the reference skin
+  const SkinInterpolation interpolation(Discretization(problem.mesh), skin);
+  if (model == FaceModelKind::Nfem)
+  {
+    result.x =
+        solve_nonlinear(tissue, interpolation, on_tets, options.equilibrium, progress, result);
+    return result;
+  }
   result.x = model == FaceModelKind::Mtm
                  ? relax_tensors(tets, on_tets, options.relaxation, progress, result)
-             : model == FaceModelKind::Lfem
-                 ? solve_linear(tissue, on_tets, result)
-                 : solve_nonlinear(tissue, on_tets, options.equilibrium, progress, result);
-  // the nodes are the same, so the prisms' faces carry the reference skin
-  result.skin_displacement =
-      SkinInterpolation(Discretization(problem.mesh), skin).displacement(result.x);
+                 : solve_linear(tissue, on_tets, result);
+  result.skin_displacement = interpolation.displacement(result.x);
   return result;
 }
 

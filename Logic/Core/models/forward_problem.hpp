@@ -1,5 +1,6 @@
 #pragma once
 
+#include "Core/assembly/discretization.hpp"
 #include "Core/geometry/rigid_motion.hpp"
 #include "Core/material/material_set.hpp"
 #include "Core/mesh/mixed_mesh.hpp"
@@ -20,7 +21,19 @@ struct ForwardProblem
 /// Displacement of the nodes on fragments [mm]; zero for all others.
 std::vector<Vec3> fragment_displacements(const ForwardProblem& problem);
 
-/// One flag per node: it lies on uncut bone, a crop wall or a fragment, so its position is given.
-std::vector<char> held_nodes(const MixedMesh& mesh);
+/// Control vectors at rest, but for each fragment's nodes, which are moved rigidly.
+std::vector<Vec3> with_fragments_moved(const Discretization& tissue,
+                                       const std::vector<RigidMotion>& motions);
+
+/// What is given, while the rest of the tissue follows?
+enum class Held
+{
+  BoneAndFragments, ///< Gamma_c, Gamma_n and the crop walls: fragments are moved
+  BoneOnly,         ///< Gamma_c and the crop walls: Gamma_n is free of traction
+};
+/// One flag per node.
+std::vector<char> held_nodes(const MixedMesh& mesh, Held held);
+/// One flag per control vector.
+std::vector<char> held_controls(const Discretization& tissue, Held held);
 
 } // namespace f2b
