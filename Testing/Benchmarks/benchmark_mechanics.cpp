@@ -79,7 +79,7 @@ void factorization(benchmark::State& state)
   Problem problem(state);
   (void)problem.model.linearize(problem.tissue.rest());
   Cholesky cholesky;
-  cholesky.analyze(problem.model.stiffness());
+  cholesky.analyze(problem.model.stiffness(), 3);
   for ([[maybe_unused]] auto _ : state)
     if (!cholesky.factorize(problem.model.stiffness()))
       state.SkipWithError("not positive definite");

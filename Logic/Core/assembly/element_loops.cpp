@@ -39,7 +39,7 @@ struct Patch
 };
 
 /// Calls visit(e, law of its points) for every tetrahedron of the patches, in parallel.
-template <class L, class Visit>
+template <Asked, class L, class Visit>
 void for_each_averaged(const ElementGroup<Tet4>& group, const L& law, const std::vector<Vec3>& x,
                        const Visit& visit)
 {
@@ -54,7 +54,7 @@ void for_each_averaged(const ElementGroup<Tet4>& group, const L& law, const std:
 }
 
 /// The same for every prism of the group.
-template <class L, class Prism, class Visit>
+template <Asked asked, class L, class Prism, class Visit>
 void for_each_averaged(const ElementGroup<Prism>& group, const L& law, const std::vector<Vec3>& x,
                        const Visit& visit)
 {
@@ -62,17 +62,17 @@ void for_each_averaged(const ElementGroup<Prism>& group, const L& law, const std
   for (long e = 0; e < group.size(); ++e)
   {
     const typename Prism::Positions positions = group.positions(x, e);
-    visit(e, PrismLevels<L, Prism>(group.element(e), positions, law));
+    visit(e, PrismLevels<L, Prism, asked>(group.element(e), positions, law));
   }
 }
 
 /// Calls visit(e, law of its points) for every element of the group, in parallel.
-template <class L, class Element, class Visit>
+template <Asked asked, class L, class Element, class Visit>
 void for_each_element(const ElementGroup<Element>& group, const L& law, const std::vector<Vec3>& x,
                       const Visit& visit)
 {
   if (group.averaged)
-    return for_each_averaged(group, law, x, visit);
+    return for_each_averaged<asked>(group, law, x, visit);
 #pragma omp parallel for schedule(static)
   for (long e = 0; e < group.size(); ++e)
     visit(e, law);
@@ -85,7 +85,7 @@ double energy_beyond_points(const PointLaw&)
   return 0;
 }
 template <class L, class Prism>
-double energy_beyond_points(const PrismLevels<L, Prism>& levels)
+double energy_beyond_points(const PrismLevels<L, Prism, Asked::Energy>& levels)
 {
   return levels.volume_energy();
 }
@@ -99,9 +99,10 @@ full_stiffness(const Element& element, const typename Element::Positions& x, con
   return element_forces(element, x, point, stiffness, tangent == Tangent::Positive);
 }
 template <class Element, class L>
-typename Element::Positions
-full_stiffness(const Element& element, const typename Element::Positions& x,
-               const PrismLevels<L, Element>& levels, Tangent tangent, double* stiffness)
+typename Element::Positions full_stiffness(const Element& element,
+                                           const typename Element::Positions& x,
+                                           const PrismLevels<L, Element, Asked::Stiffness>& levels,
+                                           Tangent tangent, double* stiffness)
 {
   const typename Element::Positions forces = element_forces(element, x, levels, stiffness);
   levels.add_stiffness(stiffness);
@@ -159,12 +160,13 @@ void ElementLoops<Element>::energies(const Group& group, const Law& law, const s
 {
   auto with_law = [&](const auto& l)
   {
-    for_each_element(group, l, x,
-                     [&](long e, const auto& point)
-                     {
-                       parts[e] = energy_beyond_points(point) +
-                                  element_energy(group.element(e), group.positions(x, e), point);
-                     });
+    for_each_element<Asked::Energy>(group, l, x,
+                                    [&](long e, const auto& point)
+                                    {
+                                      parts[e] = energy_beyond_points(point) +
+                                                 element_energy(group.element(e),
+                                                                group.positions(x, e), point);
+                                    });
     if constexpr (std::is_same_v<Element, Tet4>)
       add_patch_energies(group, l, x, parts);
   };
@@ -178,12 +180,13 @@ void ElementLoops<Element>::forces(const Group& group, const Law& law, const std
   using Positions = typename Element::Positions;
   auto with_law = [&](const auto& l)
   {
-    for_each_element(group, l, x,
-                     [&](long e, const auto& point)
-                     {
-                       matrix_at<Positions>(slots, 3 * group.slot(e)) =
-                           element_forces(group.element(e), group.positions(x, e), point);
-                     });
+    for_each_element<Asked::Forces>(group, l, x,
+                                    [&](long e, const auto& point)
+                                    {
+                                      matrix_at<Positions>(slots, 3 * group.slot(e)) =
+                                          element_forces(group.element(e), group.positions(x, e),
+                                                         point);
+                                    });
   };
   std::visit(with_law, law);
 }
@@ -196,13 +199,14 @@ void ElementLoops<Element>::stiffness(const Group& group, const Law& law, Tangen
   using Positions = typename Element::Positions;
   auto with_law = [&](const auto& l)
   {
-    for_each_element(group, l, x,
-                     [&](long e, const auto& point)
-                     {
-                       matrix_at<Positions>(slots, 3 * group.slot(e)) =
-                           full_stiffness(group.element(e), group.positions(x, e), point, tangent,
-                                          &blocks[9 * group.block(e)]);
-                     });
+    for_each_element<Asked::Stiffness>(group, l, x,
+                                       [&](long e, const auto& point)
+                                       {
+                                         matrix_at<Positions>(slots, 3 * group.slot(e)) =
+                                             full_stiffness(group.element(e), group.positions(x, e),
+                                                            point, tangent,
+                                                            &blocks[9 * group.block(e)]);
+                                       });
     if constexpr (std::is_same_v<Element, Tet4>)
       compute_patch_stiffness(group, l, tangent, x, patches);
   };

@@ -70,6 +70,13 @@ struct LevelStretch<LinearElastic>
   static void pull_back(Mat9&, const Vec3&) {}
 };
 
+/// What the stretched state of a point answers with: the stress of its shape, and its tangent.
+struct ShapeAnswer
+{
+  Mat3 stress;
+  Mat9 tangent;
+};
+
 /// The law of a point on a stretched level that feels a tension on its dilatation.
 template <class Law>
 struct LevelPoint
@@ -79,6 +86,7 @@ struct LevelPoint
   LevelStretch<Law> stretch;
   double tension; ///< [MPa]
   Vec3 normal;
+  const ShapeAnswer* shape = nullptr; ///< if it is known already
 
   double energy(const Mat3& F) const
   {
@@ -93,7 +101,14 @@ struct LevelPoint
   }
   Mat3 stress(const Mat3& F, Mat9& tangent) const
   {
-    const Mat3 P = Split::shape_stress(law, stretch.apply(F, normal), tangent);
+    Mat3 P;
+    if (shape)
+    {
+      P = shape->stress;
+      tangent = shape->tangent;
+    }
+    else
+      P = Split::shape_stress(law, stretch.apply(F, normal), tangent);
     stretch.pull_back(tangent, normal);
     Split::add_dilatation_curvature(F, tension, tangent);
     return stretch.pull_back(P, normal) + tension * Split::dilatation_slope(F);

@@ -16,11 +16,19 @@
 namespace f2b
 {
 
+/// What is asked of an element at one state?
+enum class Asked
+{
+  Energy,
+  Forces,
+  Stiffness, ///< and forces
+};
+
 /// A prism's levels at a state: the law of its points, and the energy and stiffness beyond them.
 ///
 /// The quadrature points' first half lies on one level, the second half on the other; the last
 /// three control vectors are those of the lower face.
-template <class Law, class Element>
+template <class Law, class Element, Asked asked>
 class PrismLevels
 {
 public:
@@ -31,13 +39,17 @@ public:
       : m_element(element), m_x(x), m_law(law)
   {
     measure();
-    find_tensions();
+    if constexpr (asked != Asked::Energy)
+      find_tensions();
   }
 
   LevelPoint<Law> point(std::size_t q) const
   {
     const std::size_t l = level(q);
-    return {m_law, LevelStretch<Law>(m_mean, m_level_mean[l]), m_tension[l], m_normal};
+    const LevelStretch<Law> stretch(m_mean, m_level_mean[l]);
+    if constexpr (asked == Asked::Stiffness)
+      return {m_law, stretch, m_tension[l], m_normal, &m_shape[q]};
+    return {m_law, stretch, m_tension[l], m_normal};
   }
   /// V U(m) [N mm]
   double volume_energy() const { return m_volume * Split::volume_energy(m_law, m_mean); }
@@ -62,24 +74,26 @@ private:
   std::array<double, 2> m_level_volume{}, m_level_mean{};
   std::array<double, 2> m_work{};    ///< d sum w psi_iso / d r_l [N mm]
   std::array<double, 2> m_tension{}; ///< dW/dm_l over the level's volume [MPa]
+  std::array<Mat3, Element::points> m_F;
+  std::array<ShapeAnswer, asked == Asked::Stiffness ? Element::points : 0> m_shape;
 };
 
-template <class Law, class Element>
-LevelPoint<Law> law_at(const PrismLevels<Law, Element>& levels, std::size_t q,
+template <class Law, class Element, Asked asked>
+LevelPoint<Law> law_at(const PrismLevels<Law, Element, asked>& levels, std::size_t q,
                        const typename Element::Gradients&)
 {
   return levels.point(q);
 }
 
-template <class Law, class Element>
-void PrismLevels<Law, Element>::measure()
+template <class Law, class Element, Asked asked>
+void PrismLevels<Law, Element, asked>::measure()
 {
   Vec3 depth_gradient = Vec3::Zero(); // the depth is the sum of the lower face's shape functions
   for (std::size_t q = 0; q < Element::points; ++q)
   {
+    m_F[q] = m_x * m_element.gradients[q];
     m_level_volume[level(q)] += m_element.volumes[q];
-    m_level_mean[level(q)] +=
-        m_element.volumes[q] * Split::dilatation(m_x * m_element.gradients[q]);
+    m_level_mean[level(q)] += m_element.volumes[q] * Split::dilatation(m_F[q]);
     depth_gradient += m_element.volumes[q] *
                       m_element.gradients[q].template bottomRows<3>().colwise().sum().transpose();
   }
@@ -91,8 +105,8 @@ void PrismLevels<Law, Element>::measure()
 }
 
 /// Row l: derivatives of r_l by m_1 and m_2, of which m is the weighted mean.
-template <class Law, class Element>
-Eigen::Matrix2d PrismLevels<Law, Element>::stretch_slopes() const
+template <class Law, class Element, Asked asked>
+Eigen::Matrix2d PrismLevels<Law, Element, asked>::stretch_slopes() const
 {
   Eigen::Matrix2d slopes;
   for (int l = 0; l < 2; ++l)
@@ -105,15 +119,20 @@ Eigen::Matrix2d PrismLevels<Law, Element>::stretch_slopes() const
   return slopes;
 }
 
-template <class Law, class Element>
-void PrismLevels<Law, Element>::find_tensions()
+template <class Law, class Element, Asked asked>
+void PrismLevels<Law, Element, asked>::find_tensions()
 {
   for (std::size_t q = 0; q < Element::points; ++q)
   {
-    const Mat3 F = m_x * m_element.gradients[q];
-    const LevelPoint<Law> at = point(q);
-    const Mat3 P = Split::shape_stress(m_law, at.stretch.apply(F, at.normal));
-    m_work[level(q)] += m_element.volumes[q] * P.cwiseProduct(at.stretch.slope(F, at.normal)).sum();
+    const LevelStretch<Law> stretch(m_mean, m_level_mean[level(q)]);
+    const Mat3 stretched = stretch.apply(m_F[q], m_normal);
+    Mat3 P;
+    if constexpr (asked == Asked::Stiffness)
+      P = m_shape[q].stress = Split::shape_stress(m_law, stretched, m_shape[q].tangent);
+    else
+      P = Split::shape_stress(m_law, stretched);
+    m_work[level(q)] +=
+        m_element.volumes[q] * P.cwiseProduct(stretch.slope(m_F[q], m_normal)).sum();
   }
   const Eigen::Matrix2d slopes = stretch_slopes();
   for (std::size_t k = 0; k < 2; ++k)
@@ -124,8 +143,9 @@ void PrismLevels<Law, Element>::find_tensions()
   }
 }
 
-template <class Law, class Element>
-Eigen::Matrix4d PrismLevels<Law, Element>::coupling(const std::array<double, 2>& curvature) const
+template <class Law, class Element, Asked asked>
+Eigen::Matrix4d
+PrismLevels<Law, Element, asked>::coupling(const std::array<double, 2>& curvature) const
 {
   const Eigen::Matrix2d R = stretch_slopes();
   const Eigen::Vector2d share(m_level_volume[0] / m_volume, m_level_volume[1] / m_volume);
@@ -146,8 +166,8 @@ Eigen::Matrix4d PrismLevels<Law, Element>::coupling(const std::array<double, 2>&
   return M;
 }
 
-template <class Law, class Element>
-void PrismLevels<Law, Element>::add_stiffness(double* stiffness) const
+template <class Law, class Element, Asked asked>
+void PrismLevels<Law, Element, asked>::add_stiffness(double* stiffness) const
 {
   using Vec9 = Eigen::Matrix<double, 9, 1>;
   constexpr int n = Element::corners;
@@ -155,18 +175,17 @@ void PrismLevels<Law, Element>::add_stiffness(double* stiffness) const
   std::array<Positions, 4> by_x;
   by_x.fill(Positions::Zero());
   std::array<double, 2> curvature{}; // of the energy by r_l
-  Mat9 tangent;
   for (std::size_t q = 0; q < Element::points; ++q)
   {
     const std::size_t l = level(q);
     const double volume = m_element.volumes[q];
     const auto& G = m_element.gradients[q];
-    const Mat3 F = m_x * G;
+    const Mat3& F = m_F[q];
     const LevelPoint<Law> at = point(q);
-    const Mat3 P = Split::shape_stress(m_law, at.stretch.apply(F, at.normal), tangent);
+    const Mat3& P = m_shape[q].stress;
     const Mat3 slope = at.stretch.slope(F, at.normal);
     Mat3 change; // of P with r_l
-    Eigen::Map<Vec9>(change.data()) = tangent * Eigen::Map<const Vec9>(slope.data());
+    Eigen::Map<Vec9>(change.data()) = m_shape[q].tangent * Eigen::Map<const Vec9>(slope.data());
     curvature[l] += volume * change.cwiseProduct(slope).sum();
     by_x[l] += volume / m_level_volume[l] * Split::dilatation_slope(F) * G.transpose();
     by_x[l + 2] +=

@@ -39,7 +39,7 @@ Eigen::VectorXd solve_once(ElasticModel& model, const std::vector<Vec3>& rest,
   Cholesky cholesky;
   {
     const TimedPart timed(effort.analysis);
-    cholesky.analyze(model.stiffness());
+    cholesky.analyze(model.stiffness(), 3);
     effort.analyses = 1;
   }
   {

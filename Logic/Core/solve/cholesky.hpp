@@ -31,7 +31,9 @@ public:
   Cholesky& operator=(const Cholesky&) = delete;
 
   /// Orders and factorises symbolically.
-  void analyze(const SymmetricMatrix& matrix);
+  /// \param block  so many successive rows have the same pattern, but for the diagonal: they are
+  ///               ordered as one
+  void analyze(const SymmetricMatrix& matrix, int block = 1);
   /// Numeric factorisation of a matrix with the analysed pattern; false if not positive definite.
   [[nodiscard]] bool factorize(const SymmetricMatrix& matrix);
   /// Solves for several right-hand sides, one per column. The last factorisation succeeded.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace f2b
@@ -37,7 +38,7 @@ struct EquilibriumSolver::Walk
   std::vector<Vec3> x = accepted;
   double remaining = 1;   ///< share of the load that x does not carry yet
   bool is_near = true;    ///< x is an equilibrium or close to one
-  bool is_thrown = false; ///< the last step put on much load
+  bool is_thrown = false; ///< x is so far off that its exact tangent leads nowhere
   int patience = 1000;    ///< Newton iterations in which x must come near an equilibrium
   double told = 0;
 
@@ -118,9 +119,10 @@ void EquilibriumSolver::tell(Walk& walk) const
 
 /// Takes the longest of the steps 1, 1/2, 1/4, ... that lowers the energy enough and crushes
 /// nothing. A step by the positive tangent is short where the exact one is indefinite, as in
-/// buckling: then 2, 4 and 8 are tried as well, as long as the energy falls.
-bool EquilibriumSolver::line_search(Walk& walk, const Eigen::VectorXd& forces,
-                                    const Eigen::VectorXd& step, bool extend)
+/// buckling: then 2, 4 and 8 are tried as well, as long as the energy falls. Returns the share of
+/// the step that was taken, 0 if there is none.
+double EquilibriumSolver::line_search(Walk& walk, const Eigen::VectorXd& forces,
+                                      const Eigen::VectorXd& step, bool extend)
 {
   const double before = energy(walk.x);
   const double slope = forces.dot(step);
@@ -133,6 +135,7 @@ bool EquilibriumSolver::line_search(Walk& walk, const Eigen::VectorXd& forces,
     double reached = energy(trial);
     if (!(reached <= before + 1e-4 * scale * slope + noise && keeps_volume(volumes, trial, 0.1)))
       continue;
+    double taken = scale;
     for (double longer = 2; extend && scale == 1 && longer <= 8; longer *= 2)
     {
       std::vector<Vec3> farther = moved(walk.x, step, longer);
@@ -141,19 +144,20 @@ bool EquilibriumSolver::line_search(Walk& walk, const Eigen::VectorXd& forces,
         break;
       trial = std::move(farther);
       reached = there;
+      taken = longer;
     }
     walk.x = std::move(trial);
-    return true;
+    return taken;
   }
-  return false;
+  return 0;
 }
 
 /// By the exact tangent as far as it can be trusted: thrown far off, the state has elements that are
 /// about to be put right, and the positive tangent leads there better.
 std::optional<Eigen::MatrixXd>
-EquilibriumSolver::exact_step(Walk& walk, const Eigen::VectorXd& load, double forcing)
+EquilibriumSolver::exact_step(const Walk& walk, const Eigen::VectorXd& load, double forcing)
 {
-  if (std::exchange(walk.is_thrown, false))
+  if (walk.is_thrown)
     return std::nullopt;
   if (!walk.is_near)
     return m_tangents.solve_by_old_factor(load, forcing);
@@ -161,11 +165,13 @@ EquilibriumSolver::exact_step(Walk& walk, const Eigen::VectorXd& load, double fo
   return m_tangents.solve(load, forcing, left);
 }
 
-/// The length of the step that was taken; nothing if none lowers the energy.
-std::optional<double> EquilibriumSolver::newton_iteration(Walk& walk, double forcing)
+/// Nothing if no step lowers the energy.
+std::optional<EquilibriumSolver::Step> EquilibriumSolver::newton_iteration(Walk& walk,
+                                                                           double forcing)
 {
   tell(walk);
-  const Eigen::VectorXd forces = m_tangents.linearize(walk.x);
+  const Eigen::VectorXd forces =
+      m_tangents.linearize(walk.x, walk.is_thrown ? Tangent::Positive : Tangent::Exact);
   const auto exact = exact_step(walk, -forces, forcing);
   Eigen::VectorXd step = exact ? *exact : m_tangents.solve_positive(-forces);
   const double length = largest(step);
@@ -180,33 +186,39 @@ std::optional<double> EquilibriumSolver::newton_iteration(Walk& walk, double for
   if (length < m_options.step_tolerance_mm)
   {
     walk.x = moved(walk.x, step, 1);
-    return length;
+    return Step{length, 0};
   }
-  if (line_search(walk, forces, step, !exact))
-    return length;
+  const double share = line_search(walk, forces, step, !exact);
+  walk.is_thrown = !exact && share < 1;
+  // The next step will be about length^2, with 1 mm as the scale; ten times that is safe, as
+  // tangents change faster in places.
+  if (share > 0)
+    return Step{length, exact && share == 1 ? forcing * length + 10 * length * length : length};
   if (!exact)
     return std::nullopt;
   step = m_tangents.solve_positive(-forces);
-  if (line_search(walk, forces, step, true))
-    return std::max(largest(step), m_options.step_tolerance_mm);
+  if (line_search(walk, forces, step, true) > 0)
+    return Step{std::max(largest(step), near_mm), std::max(largest(step), near_mm)};
   return std::nullopt;
 }
 
-bool EquilibriumSolver::newton(Walk& walk)
+/// Steps until what is left to go is below the tolerance.
+bool EquilibriumSolver::newton(Walk& walk, double tolerance_mm)
 {
   double length = 1;
   for (int i = 0; i < m_options.max_newton_iterations && walk.iterations_left > 0; ++i)
   {
     if (!walk.is_near && i >= walk.patience)
       return false;
-    // as tight as quadratic convergence asks for, with 1 mm as the scale
-    const double forcing = std::clamp(0.1 * length, 1e-9, 0.1);
-    const std::optional<double> taken = newton_iteration(walk, forcing);
-    if (!taken)
+    // as tight as quadratic convergence asks for, but no tighter than the tolerance
+    const double forcing =
+        std::clamp(std::max(0.1 * length, 0.1 * tolerance_mm / (length * length)), 1e-9, 0.1);
+    const std::optional<Step> step = newton_iteration(walk, forcing);
+    if (!step)
       return false;
-    length = *taken;
+    length = step->length_mm;
     walk.is_near = length < near_mm;
-    if (length < m_options.step_tolerance_mm)
+    if (walk.is_near && step->left_mm < tolerance_mm)
       return true;
   }
   return false;
@@ -252,8 +264,8 @@ bool EquilibriumSolver::advance(Walk& walk, const Pace& pace)
       continue;
     walk.x = std::move(trial);
     walk.remaining = share == 1 ? 0 : walk.remaining * (1 - share);
-    walk.is_near = walk.is_near && share * largest(motion) < near_mm;
     walk.is_thrown = !walk.is_near;
+    walk.is_near = walk.is_near && share * largest(motion) < near_mm;
     ++walk.summary.load_steps;
     return true;
   }
@@ -263,23 +275,26 @@ bool EquilibriumSolver::advance(Walk& walk, const Pace& pace)
 /// Walks on until the target is reached or no way leads on.
 Termination EquilibriumSolver::walk(Walk& walk, const Pace& pace)
 {
-  bool at_equilibrium = false;
+  double settled_to_mm = std::numeric_limits<double>::infinity();
   for (;;)
   {
     const bool stepped = walk.remaining > 0 && walk.iterations_left > 0 && advance(walk, pace);
+    if (stepped)
+      settled_to_mm = std::numeric_limits<double>::infinity();
     if (stepped && walk.remaining > 0 && !pace.settles)
-    {
-      at_equilibrium = false;
       continue;
-    }
-    if (!stepped && at_equilibrium)
+    if (!stepped && settled_to_mm <= m_options.step_tolerance_mm)
       return Termination::TissueCollapses;
-    if (!newton(walk))
+    // where no load can be put on, an approach to equilibrium may do
+    const bool approach = walk.remaining > 0 && !pace.settles && settled_to_mm > near_mm;
+    settled_to_mm = approach ? near_mm : m_options.step_tolerance_mm;
+    if (!newton(walk, settled_to_mm))
       return walk.iterations_left > 0 ? Termination::EquilibriumLost : Termination::IterationLimit;
+    if (approach)
+      continue;
     walk.accept();
     if (walk.remaining == 0)
       return Termination::Converged;
-    at_equilibrium = true;
   }
 }
 
@@ -321,7 +336,7 @@ EquilibriumSummary EquilibriumSolver::relax(std::vector<Vec3>& x)
     m_tangents.forget_state();
     Walk walk{x, x, summary, m_options.max_total_iterations};
     walk.remaining = 0;
-    if (newton(walk))
+    if (newton(walk, m_options.step_tolerance_mm))
       walk.accept();
     else
       summary.termination = Termination::EquilibriumLost;

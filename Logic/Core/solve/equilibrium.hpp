@@ -12,7 +12,7 @@ namespace f2b
 struct EquilibriumOptions
 {
   int max_newton_iterations = 25;       ///< on the way to one equilibrium
-  double step_tolerance_mm = 1e-8;      ///< converged when the largest Newton step is below [mm]
+  double step_tolerance_mm = 1e-8;      ///< converged when less than that is left to go [mm]
   double smallest_load_step = 1.0 / 64; ///< share of the load, below which a move is given up
   int max_total_iterations = 120;       ///< of one move: then it is given up
 };
@@ -78,16 +78,21 @@ public:
 private:
   struct Walk;
   struct Pace;
+  /// Of Newton's method: its length, and about how much is left to go after it.
+  struct Step
+  {
+    double length_mm, left_mm;
+  };
 
   Termination walk(Walk& walk, const Pace& pace);
   bool advance(Walk& walk, const Pace& pace);
   Eigen::MatrixXd load_directions(Walk& walk, const std::vector<Vec3>& motion);
-  bool newton(Walk& walk);
-  std::optional<Eigen::MatrixXd> exact_step(Walk& walk, const Eigen::VectorXd& load,
+  bool newton(Walk& walk, double tolerance_mm);
+  std::optional<Eigen::MatrixXd> exact_step(const Walk& walk, const Eigen::VectorXd& load,
                                             double forcing);
-  std::optional<double> newton_iteration(Walk& walk, double forcing);
-  bool line_search(Walk& walk, const Eigen::VectorXd& forces, const Eigen::VectorXd& step,
-                   bool extend);
+  std::optional<Step> newton_iteration(Walk& walk, double forcing);
+  double line_search(Walk& walk, const Eigen::VectorXd& forces, const Eigen::VectorXd& step,
+                     bool extend);
   double energy(const std::vector<Vec3>& x);
   bool keeps_volume(const std::vector<double>& before, const std::vector<Vec3>& x, double share);
   std::vector<Vec3> moved(const std::vector<Vec3>& x, const Eigen::VectorXd& step,

@@ -6,8 +6,8 @@
 namespace f2b
 {
 
-/// Products with matrices of one pattern, in parallel. Every entry of the result is summed in the
-/// same order whatever the number of threads.
+/// Products with matrices of one pattern of full 3 x 3 blocks, in parallel. Every entry of the
+/// result is summed in the same order whatever the number of threads.
 class SymmetricProduct
 {
 public:
@@ -17,10 +17,15 @@ public:
   Eigen::MatrixXd operator()(const SymmetricMatrix& matrix, const Eigen::MatrixXd& x) const;
 
 private:
-  // The stored column c holds row c from its diagonal on; what lies left of it is listed here.
-  std::vector<long> m_left_start;  ///< per row
-  std::vector<long> m_left_column; ///< ascending in a row
-  std::vector<long> m_left_entry;  ///< its place in SymmetricMatrix::value
+  // A column of blocks is stored from its diagonal down; what lies left of the diagonal in a row of
+  // blocks is listed here.
+  struct Left
+  {
+    int column; ///< of blocks
+    int place;  ///< in that column, the diagonal is 0
+  };
+  std::vector<std::size_t> m_left_start; ///< per row of blocks
+  std::vector<Left> m_left;              ///< columns ascending in a row
 };
 
 } // namespace f2b

@@ -27,7 +27,7 @@ struct Block
   }
   std::vector<Vec3> moved(const Vec3& translation, const EulerAngles& angles = {}) const
   {
-    return with_fragments_moved(tissue, {RigidMotion{rotation_from(angles), translation, {}}});
+    return with_fragments_moved(tissue, {RigidMotion{rotation_from(angles), translation, Vec3::Zero()}});
   }
   double unbalanced(const std::vector<Vec3>& x) const { return model.forces(x).norm(); }
 
@@ -161,7 +161,7 @@ TEST(Equilibrium, AHopelessMovementStopsSoonAtAnEquilibrium)
     EXPECT_GT(summary.smallest_dilatation, 0);
     EXPECT_DOUBLE_EQ(summary.smallest_dilatation, block.model.smallest_dilatation(x));
     EXPECT_LE(summary.newton_iterations, 120);
-    EXPECT_LT(block.unbalanced(x), 1e-8);
+    EXPECT_LT(block.unbalanced(x), 1e-7);
   }
 }
 
@@ -243,7 +243,7 @@ TEST(Equilibrium, AnIndefiniteTangentOnTheWayIsPassed)
   const EquilibriumSummary summary =
       solver.move_to(x, block.moved({0, 0, -3}, {10 * degree, 0, 15 * degree}));
   EXPECT_TRUE(summary.converged());
-  EXPECT_LT(block.unbalanced(x), 1e-8);
+  EXPECT_LT(block.unbalanced(x), 1e-7);
   (void)block.model.linearize(x);
   EXPECT_TRUE(factor.factorize(block.model.stiffness()));
 }
