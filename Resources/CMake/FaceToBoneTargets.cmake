@@ -32,6 +32,8 @@ function(facetobone_add_library name)
   cmake_parse_arguments(ARG "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
   add_library(${name} STATIC ${ARG_SOURCES})
   target_include_directories(${name} PUBLIC "${PROJECT_SOURCE_DIR}/Logic")
+  # Eigen's own threads would sum a large product in an order that depends on their number
+  target_compile_definitions(${name} PUBLIC EIGEN_DONT_PARALLELIZE)
   target_link_libraries(${name} PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
   facetobone_warnings(${name})
 endfunction()

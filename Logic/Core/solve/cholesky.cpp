@@ -1,5 +1,7 @@
 #include "Core/solve/cholesky.hpp"
 
+#include "Core/solve/light_factor.hpp"
+
 #include <cholmod.h>
 #include <omp.h>
 
@@ -8,6 +10,7 @@
 #include <iterator>
 #include <new>
 #include <numeric>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -75,6 +78,8 @@ struct Cholesky::Factor
   cholmod_factor* factor = nullptr;
   SymmetricMatrix permuted; ///< the matrix in the factor's order
   std::vector<long> source; ///< where in the matrix each of its entries is
+  std::optional<LightFactor> light;
+  bool light_is_current = false; ///< it holds the last factorisation's numbers
 
   Factor()
   {
@@ -176,6 +181,7 @@ void Cholesky::analyze(const SymmetricMatrix& matrix, int block)
   f.check_memory();
   assert(f.factor);
   f.permute_pattern(matrix);
+  f.light.reset();
 }
 
 bool Cholesky::factorize(const SymmetricMatrix& matrix)
@@ -185,6 +191,7 @@ bool Cholesky::factorize(const SymmetricMatrix& matrix)
   for (std::size_t i = 0; i < f.source.size(); ++i)
     f.permuted.value[i] = matrix.value[static_cast<std::size_t>(f.source[i])];
   cholmod_sparse view = view_of(f.permuted);
+  f.light_is_current = false;
   double shift[] = {0, 0};
   const OneOpenMpThread one;
   cholmod_l_super_numeric(&view, nullptr, shift, f.factor, &f.common);
@@ -210,6 +217,22 @@ Eigen::MatrixXd Cholesky::solve(const Eigen::MatrixXd& right_hand_sides) const
       static_cast<double*>(x->x), right_hand_sides.rows(), right_hand_sides.cols());
   cholmod_l_free_dense(&x, &m_factor->common);
   return solution;
+}
+
+Eigen::MatrixXd Cholesky::precondition(const Eigen::MatrixXd& right_hand_sides)
+{
+  Factor& f = *m_factor;
+  assert(f.factor->is_super && f.factor->xtype == CHOLMOD_REAL);
+  if (!f.light)
+    f.light.emplace(SupernodalFactor{
+        static_cast<long>(f.factor->n), static_cast<long>(f.factor->nsuper),
+        static_cast<const long*>(f.factor->super), static_cast<const long*>(f.factor->pi),
+        static_cast<const long*>(f.factor->px), static_cast<const long*>(f.factor->s),
+        static_cast<const long*>(f.factor->Perm)});
+  if (!f.light_is_current)
+    f.light->copy(static_cast<const double*>(f.factor->x));
+  f.light_is_current = true;
+  return f.light->apply(right_hand_sides);
 }
 
 double Cholesky::flops() const

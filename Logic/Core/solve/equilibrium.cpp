@@ -36,16 +36,28 @@ struct EquilibriumSolver::Walk
   EquilibriumSummary& summary;
   int iterations_left;
   std::vector<Vec3> x = accepted;
-  double remaining = 1;   ///< share of the load that x does not carry yet
-  bool is_near = true;    ///< x is an equilibrium or close to one
-  bool is_thrown = false; ///< x is so far off that its exact tangent leads nowhere
-  int patience = 1000;    ///< Newton iterations in which x must come near an equilibrium
+  double remaining = 1;    ///< share of the load that x does not carry yet
+  bool is_near = true;     ///< x is an equilibrium or close to one
+  bool is_thrown = false;  ///< x is so far off that its exact tangent leads nowhere
+  double last_step = 0;    ///< share of the whole load that the last step put on
+  double longest_step = 1; ///< that a step may put on
   double told = 0;
 
   void accept()
   {
     accepted = x;
     summary.load_reached = 1 - remaining;
+    longest_step *= 2;
+  }
+  /// Back to the last equilibrium, to leave it in half the step; false if that is too short.
+  bool retreat(double shortest_step)
+  {
+    x = accepted;
+    remaining = 1 - summary.load_reached;
+    is_near = true;
+    is_thrown = false;
+    longest_step = last_step / 2;
+    return longest_step > shortest_step;
   }
 };
 
@@ -54,6 +66,7 @@ struct EquilibriumSolver::Pace
 {
   double least_volume_ratio; ///< of any quadrature point in one load step
   bool settles;              ///< an equilibrium is found after each load step
+  int patience;              ///< Newton iterations in which x must come near an equilibrium
 };
 
 void EquilibriumSummary::add(const EquilibriumSummary& other)
@@ -82,6 +95,18 @@ std::vector<Vec3> EquilibriumSolver::moved(const std::vector<Vec3>& x, const Eig
   for (std::size_t i = 0; i < controls.size(); ++i)
     result[static_cast<std::size_t>(controls[i])] +=
         scale * step.segment<3>(3 * static_cast<Eigen::Index>(i));
+  return result;
+}
+
+/// A step with a share of the motion of what is prescribed.
+std::vector<Vec3> EquilibriumSolver::stepped(const std::vector<Vec3>& x,
+                                             const std::vector<Vec3>& motion,
+                                             const Eigen::VectorXd& correction,
+                                             const Eigen::VectorXd& response, double share) const
+{
+  std::vector<Vec3> result = moved(x, correction + share * response, 1);
+  for (std::size_t i = 0; i < result.size(); ++i)
+    result[i] += share * motion[i];
   return result;
 }
 
@@ -203,16 +228,17 @@ std::optional<EquilibriumSolver::Step> EquilibriumSolver::newton_iteration(Walk&
 }
 
 /// Steps until what is left to go is below the tolerance.
-bool EquilibriumSolver::newton(Walk& walk, double tolerance_mm)
+bool EquilibriumSolver::newton(Walk& walk, double tolerance_mm, int patience)
 {
   double length = 1;
   for (int i = 0; i < m_options.max_newton_iterations && walk.iterations_left > 0; ++i)
   {
-    if (!walk.is_near && i >= walk.patience)
+    if (!walk.is_near && i >= patience)
       return false;
-    // as tight as quadratic convergence asks for, but no tighter than the tolerance
+    // as tight as quadratic convergence asks for, but no tighter than the tolerance, and loose far
+    // from equilibrium, where a step is a direction only
     const double forcing =
-        std::clamp(std::max(0.1 * length, 0.1 * tolerance_mm / (length * length)), 1e-9, 0.1);
+        std::clamp(std::max(0.2 * length, 0.1 * tolerance_mm / (length * length)), 1e-9, 0.2);
     const std::optional<Step> step = newton_iteration(walk, forcing);
     if (!step)
       return false;
@@ -241,6 +267,25 @@ Eigen::MatrixXd EquilibriumSolver::load_directions(Walk& walk, const std::vector
   return m_tangents.solve_positive(loads);
 }
 
+/// The largest share of the remaining motion that a step can take; 0 if that is too little.
+/// \param correction  the part of the step that takes none
+double EquilibriumSolver::largest_share(const Walk& walk, const Pace& pace,
+                                        const std::vector<Vec3>& motion,
+                                        const Eigen::VectorXd& correction,
+                                        const Eigen::VectorXd& response)
+{
+  const std::vector<double> volumes = m_model.dilatations(walk.x);
+  double share = std::min(1.0, walk.longest_step / walk.remaining);
+  for (; share == 1 || share * walk.remaining > m_options.smallest_load_step; share *= 0.9)
+  {
+    // a little crushing is better than another step for a small rest
+    const double least = (share == 1 ? 0.5 : 1.0) * pace.least_volume_ratio;
+    if (keeps_volume(volumes, stepped(walk.x, motion, correction, response, share), least))
+      return share;
+  }
+  return 0;
+}
+
 /// Puts on as much of the remaining load as the pace allows; false if that is too little.
 bool EquilibriumSolver::advance(Walk& walk, const Pace& pace)
 {
@@ -252,24 +297,26 @@ bool EquilibriumSolver::advance(Walk& walk, const Pace& pace)
     if (m_model.is_prescribed(static_cast<int>(i)))
       motion[i] = walk.target[i] - walk.x[i];
   const Eigen::MatrixXd directions = load_directions(walk, motion);
-  const std::vector<double> volumes = m_model.dilatations(walk.x);
-  for (double share = 1; share == 1 || share * walk.remaining > m_options.smallest_load_step;
-       share *= 0.9)
+  Eigen::VectorXd correction = directions.col(0);
+  double share = largest_share(walk, pace, motion, correction, directions.col(1));
+  // a state far from equilibrium may leave little room for load beside its correction
+  const Eigen::VectorXd none = Eigen::VectorXd::Zero(correction.size());
+  const double alone =
+      walk.is_near ? 0 : largest_share(walk, pace, motion, none, directions.col(1));
+  if (alone > 1.2 * share)
   {
-    std::vector<Vec3> trial = moved(walk.x, directions.col(0) + share * directions.col(1), 1);
-    for (std::size_t i = 0; i < trial.size(); ++i)
-      trial[i] += share * motion[i];
-    // a little crushing is better than another step for a small rest
-    if (!keeps_volume(volumes, trial, (share == 1 ? 0.5 : 1.0) * pace.least_volume_ratio))
-      continue;
-    walk.x = std::move(trial);
-    walk.remaining = share == 1 ? 0 : walk.remaining * (1 - share);
-    walk.is_thrown = !walk.is_near;
-    walk.is_near = walk.is_near && share * largest(motion) < near_mm;
-    ++walk.summary.load_steps;
-    return true;
+    share = alone;
+    correction = none;
   }
-  return false;
+  if (share == 0)
+    return false;
+  walk.x = stepped(walk.x, motion, correction, directions.col(1), share);
+  walk.last_step = share * walk.remaining;
+  walk.remaining = share == 1 ? 0 : walk.remaining * (1 - share);
+  walk.is_thrown = !walk.is_near;
+  walk.is_near = walk.is_near && share * largest(motion) < near_mm;
+  ++walk.summary.load_steps;
+  return true;
 }
 
 /// Walks on until the target is reached or no way leads on.
@@ -288,8 +335,14 @@ Termination EquilibriumSolver::walk(Walk& walk, const Pace& pace)
     // where no load can be put on, an approach to equilibrium may do
     const bool approach = walk.remaining > 0 && !pace.settles && settled_to_mm > near_mm;
     settled_to_mm = approach ? near_mm : m_options.step_tolerance_mm;
-    if (!newton(walk, settled_to_mm))
-      return walk.iterations_left > 0 ? Termination::EquilibriumLost : Termination::IterationLimit;
+    if (!newton(walk, settled_to_mm, pace.patience))
+    {
+      if (walk.iterations_left <= 0)
+        return Termination::IterationLimit;
+      if (!pace.settles || !stepped || !walk.retreat(m_options.smallest_load_step))
+        return Termination::EquilibriumLost;
+      continue;
+    }
     if (approach)
       continue;
     walk.accept();
@@ -313,15 +366,14 @@ EquilibriumSummary EquilibriumSolver::move_to(std::vector<Vec3>& x, const std::v
     const TimedPart time(m_tangents.effort().total);
     const int third = m_options.max_total_iterations / 3;
     Walk bold{x, target, summary, third};
-    bold.patience = 12;
-    summary.termination = walk(bold, {0.3, false});
+    summary.termination = walk(bold, {0.3, false, 12});
     if (summary.termination == Termination::EquilibriumLost ||
         summary.termination == Termination::IterationLimit)
     {
       Walk careful{x, target, summary, 2 * third + bold.iterations_left};
       careful.remaining = 1 - summary.load_reached;
       careful.told = bold.told;
-      summary.termination = walk(careful, {0.6, true});
+      summary.termination = walk(careful, {0.6, true, m_options.max_newton_iterations});
     }
   }
   finish(summary, x);
@@ -336,7 +388,7 @@ EquilibriumSummary EquilibriumSolver::relax(std::vector<Vec3>& x)
     m_tangents.forget_state();
     Walk walk{x, x, summary, m_options.max_total_iterations};
     walk.remaining = 0;
-    if (newton(walk, m_options.step_tolerance_mm))
+    if (newton(walk, m_options.step_tolerance_mm, m_options.max_newton_iterations))
       walk.accept();
     else
       summary.termination = Termination::EquilibriumLost;

@@ -48,7 +48,8 @@ struct EquilibriumSummary
 /// shrinks no element to less than a third of its volume; only with all of it on, Newton's method
 /// with a line search on the energy converges. Where the exact tangent is not positive definite
 /// the positive one takes its place, so a step always lowers the energy. If that fails, the way is
-/// walked again in smaller shares with an equilibrium after each. A state with an inverted
+/// walked again in smaller shares with an equilibrium after each; a share that leads to none is
+/// halved. A state with an inverted
 /// quadrature point is never accepted.
 class EquilibriumSolver
 {
@@ -86,8 +87,10 @@ private:
 
   Termination walk(Walk& walk, const Pace& pace);
   bool advance(Walk& walk, const Pace& pace);
+  double largest_share(const Walk& walk, const Pace& pace, const std::vector<Vec3>& motion,
+                       const Eigen::VectorXd& correction, const Eigen::VectorXd& response);
   Eigen::MatrixXd load_directions(Walk& walk, const std::vector<Vec3>& motion);
-  bool newton(Walk& walk, double tolerance_mm);
+  bool newton(Walk& walk, double tolerance_mm, int patience);
   std::optional<Eigen::MatrixXd> exact_step(const Walk& walk, const Eigen::VectorXd& load,
                                             double forcing);
   std::optional<Step> newton_iteration(Walk& walk, double forcing);
@@ -97,6 +100,9 @@ private:
   bool keeps_volume(const std::vector<double>& before, const std::vector<Vec3>& x, double share);
   std::vector<Vec3> moved(const std::vector<Vec3>& x, const Eigen::VectorXd& step,
                           double scale) const;
+  std::vector<Vec3> stepped(const std::vector<Vec3>& x, const std::vector<Vec3>& motion,
+                            const Eigen::VectorXd& correction, const Eigen::VectorXd& response,
+                            double share) const;
   void tell(Walk& walk) const;
   void finish(EquilibriumSummary& summary, const std::vector<Vec3>& x);
 

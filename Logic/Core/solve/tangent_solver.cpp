@@ -117,7 +117,12 @@ TangentSolver::solve_by_old_factor(const Eigen::MatrixXd& right_hand_sides, doub
     const TimedPart time(m_effort.products);
     return m_product(m_model.stiffness(), x);
   };
-  const LinearMap preconditioner = [this](const Eigen::MatrixXd& r) { return back_solve(r); };
+  const LinearMap preconditioner = [this](const Eigen::MatrixXd& r)
+  {
+    const TimedPart time(m_effort.back_solving);
+    ++m_effort.back_solves;
+    return m_cholesky.precondition(r);
+  };
   CgResult result = conjugate_gradients(product, preconditioner, right_hand_sides,
                                         {tolerance, worth_iterations(right_hand_sides.cols())});
   m_effort.cg_iterations += result.iterations;

@@ -3,6 +3,7 @@
 #include "Core/solve/symmetric_product.hpp"
 
 #include <gtest/gtest.h>
+#include <omp.h>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
@@ -88,6 +89,97 @@ TEST(SymmetricProduct, IsThatOfTheFullMatrix)
   product.analyze(sparse);
   const Eigen::MatrixXd x = random_matrix(n, 4, 9);
   EXPECT_LT((product(sparse, x) - A * x).norm(), 1e-13 * (A * x).norm());
+}
+
+/// Springs between the neighbours of a cube of n^3 points, each held a little.
+SymmetricMatrix springs_of_a_cube(long n)
+{
+  SymmetricMatrix matrix;
+  matrix.size = 3 * n * n * n;
+  matrix.column_start.push_back(0);
+  std::mt19937 generator(10);
+  std::uniform_real_distribution<double> stiffness(0.5, 2);
+  for (long u = 0; u < n * n * n; ++u)
+  {
+    std::vector<long> neighbours = {u};
+    if (u % n + 1 < n)
+      neighbours.push_back(u + 1);
+    if (u / n % n + 1 < n)
+      neighbours.push_back(u + n);
+    if (u / (n * n) + 1 < n)
+      neighbours.push_back(u + n * n);
+    for (int c = 0; c < 3; ++c)
+    {
+      for (const long v : neighbours)
+        for (int r = v == u ? c : 0; r < 3; ++r)
+        {
+          matrix.row.push_back(3 * v + r);
+          matrix.value.push_back(v != u   ? (r == c ? -stiffness(generator) : 0.1)
+                                 : r == c ? 13
+                                          : 0.2);
+        }
+      matrix.column_start.push_back(long(matrix.row.size()));
+    }
+  }
+  return matrix;
+}
+
+TEST(Cholesky, SolvesAndPreconditionsInAnyOrderOfBlocks)
+{
+  const SymmetricMatrix matrix = springs_of_a_cube(14);
+  SymmetricProduct product;
+  product.analyze(matrix);
+  const Eigen::MatrixXd x = random_matrix(matrix.size, 3, 11);
+  const Eigen::MatrixXd b = product(matrix, x);
+  for (const int block : {1, 3})
+  {
+    Cholesky cholesky;
+    cholesky.analyze(matrix, block);
+    for (const double scale : {1.0, 1e-3}) // new numbers in the old structure
+    {
+      SymmetricMatrix scaled = matrix;
+      for (double& value : scaled.value)
+        value *= scale;
+      ASSERT_TRUE(cholesky.factorize(scaled));
+      EXPECT_LT((cholesky.solve(b) - x / scale).norm(), 1e-12 * x.norm() / scale);
+      const Eigen::MatrixXd near = cholesky.precondition(b);
+      EXPECT_LT((near - x / scale).norm(), 1e-5 * x.norm() / scale);
+      EXPECT_LT((cholesky.precondition(b.col(1)) - near.col(1)).norm(), 1e-5 * near.norm());
+    }
+  }
+}
+
+TEST(Cholesky, SaysThatAMatrixIsNotPositiveDefiniteAndTakesTheNext)
+{
+  const SymmetricMatrix matrix = springs_of_a_cube(6);
+  SymmetricMatrix bent = matrix;
+  bent.value[std::size_t(matrix.column_start[300])] = -1;
+  Cholesky cholesky;
+  cholesky.analyze(matrix, 3);
+  EXPECT_FALSE(cholesky.factorize(bent));
+  ASSERT_TRUE(cholesky.factorize(matrix));
+  SymmetricProduct product;
+  product.analyze(matrix);
+  const Eigen::MatrixXd x = random_matrix(matrix.size, 1, 12);
+  EXPECT_LT((cholesky.solve(product(matrix, x)) - x).norm(), 1e-12 * x.norm());
+}
+
+TEST(Cholesky, PreconditionsTheSameWithAnyNumberOfThreads)
+{
+  const SymmetricMatrix matrix = springs_of_a_cube(14);
+  Cholesky cholesky;
+  cholesky.analyze(matrix, 3);
+  ASSERT_TRUE(cholesky.factorize(matrix));
+  const Eigen::MatrixXd b = random_matrix(matrix.size, 2, 13);
+  const int threads = omp_get_max_threads();
+  omp_set_num_threads(1);
+  const Eigen::MatrixXd one = cholesky.precondition(b);
+  for (const int count : {2, 3})
+  {
+    omp_set_num_threads(count);
+    EXPECT_EQ(cholesky.precondition(b), one);
+  }
+  omp_set_num_threads(threads);
 }
 
 TEST(PositiveTangent, LosesItsNegativeEigenvaluesOnly)
