@@ -35,9 +35,21 @@ public:
     return m_path / name;
   }
 
+  std::size_t file_count() const
+  {
+    const std::filesystem::directory_iterator files(m_path);
+    return static_cast<std::size_t>(std::distance(begin(files), end(files)));
+  }
+
 private:
   std::filesystem::path m_path;
 };
+
+/// Drops the last `bytes` of a file.
+inline void cut_off(const std::filesystem::path& file, std::uintmax_t bytes)
+{
+  std::filesystem::resize_file(file, std::filesystem::file_size(file) - bytes);
+}
 
 inline std::string read_text(const std::filesystem::path& file)
 {

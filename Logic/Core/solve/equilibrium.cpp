@@ -230,7 +230,7 @@ std::optional<EquilibriumSolver::Step> EquilibriumSolver::newton_iteration(Walk&
 /// Steps until what is left to go is below the tolerance.
 bool EquilibriumSolver::newton(Walk& walk, double tolerance_mm, int patience)
 {
-  double length = 1;
+  double length = walk.is_thrown ? 1 : near_mm; // of the last step
   for (int i = 0; i < m_options.max_newton_iterations && walk.iterations_left > 0; ++i)
   {
     if (!walk.is_near && i >= patience)
@@ -250,20 +250,21 @@ bool EquilibriumSolver::newton(Walk& walk, double tolerance_mm, int patience)
   return false;
 }
 
-/// The step to equilibrium, and how the unknowns follow the whole remaining motion.
+/// How the unknowns follow the whole remaining motion, and the step to equilibrium; without it in an
+/// equilibrium.
 Eigen::MatrixXd EquilibriumSolver::load_directions(Walk& walk, const std::vector<Vec3>& motion)
 {
   constexpr double tolerance = 0.02; // Newton's method comes after it
-  Eigen::MatrixXd loads(m_model.unknown_count(), 2);
+  Eigen::MatrixXd loads(m_model.unknown_count(), walk.x == walk.accepted ? 1 : 2);
   const Tangent tangent = walk.is_near ? Tangent::Exact : Tangent::Positive;
-  loads.col(0) = -m_tangents.linearize(walk.x, tangent);
+  loads.rightCols<1>() = -m_tangents.linearize(walk.x, tangent);
   if (walk.is_near)
   {
-    loads.col(1) = -m_tangents.coupling(motion, Tangent::Exact);
+    loads.col(0) = -m_tangents.coupling(motion, Tangent::Exact);
     if (const auto exact = m_tangents.solve(loads, tolerance))
       return *exact;
   }
-  loads.col(1) = -m_tangents.coupling(motion, Tangent::Positive);
+  loads.col(0) = -m_tangents.coupling(motion, Tangent::Positive);
   return m_tangents.solve_positive(loads);
 }
 
@@ -297,12 +298,12 @@ bool EquilibriumSolver::advance(Walk& walk, const Pace& pace)
     if (m_model.is_prescribed(static_cast<int>(i)))
       motion[i] = walk.target[i] - walk.x[i];
   const Eigen::MatrixXd directions = load_directions(walk, motion);
-  Eigen::VectorXd correction = directions.col(0);
-  double share = largest_share(walk, pace, motion, correction, directions.col(1));
+  const Eigen::VectorXd response = directions.col(0);
+  const Eigen::VectorXd none = Eigen::VectorXd::Zero(response.size());
+  Eigen::VectorXd correction = directions.cols() > 1 ? Eigen::VectorXd(directions.col(1)) : none;
+  double share = largest_share(walk, pace, motion, correction, response);
   // a state far from equilibrium may leave little room for load beside its correction
-  const Eigen::VectorXd none = Eigen::VectorXd::Zero(correction.size());
-  const double alone =
-      walk.is_near ? 0 : largest_share(walk, pace, motion, none, directions.col(1));
+  const double alone = walk.is_near ? 0 : largest_share(walk, pace, motion, none, response);
   if (alone > 1.2 * share)
   {
     share = alone;
@@ -310,7 +311,7 @@ bool EquilibriumSolver::advance(Walk& walk, const Pace& pace)
   }
   if (share == 0)
     return false;
-  walk.x = stepped(walk.x, motion, correction, directions.col(1), share);
+  walk.x = stepped(walk.x, motion, correction, response, share);
   walk.last_step = share * walk.remaining;
   walk.remaining = share == 1 ? 0 : walk.remaining * (1 - share);
   walk.is_thrown = !walk.is_near;

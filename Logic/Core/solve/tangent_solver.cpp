@@ -93,10 +93,10 @@ Eigen::MatrixXd TangentSolver::back_solve(const Eigen::MatrixXd& right_hand_side
 
 /// The iterations that cost as much as a factorisation. A back-solve reads each entry of the
 /// factor twice at the speed of memory, while a factorisation computes at the speed of BLAS: about
-/// 80 operations in the time of one entry; further right-hand sides cost a quarter each.
+/// 50 operations in the time of one entry; further right-hand sides cost a quarter each.
 int TangentSolver::worth_iterations(Eigen::Index columns) const
 {
-  const double factorization = m_cholesky.flops() / (80 * m_cholesky.entries());
+  const double factorization = m_cholesky.flops() / (50 * m_cholesky.entries());
   const double iteration = 1 + 0.25 * static_cast<double>(columns - 1);
   return std::clamp(static_cast<int>(factorization / iteration), 4, 40);
 }

@@ -161,7 +161,7 @@ TEST(Equilibrium, AHopelessMovementStopsSoonAtAnEquilibrium)
     EXPECT_GT(summary.smallest_dilatation, 0);
     EXPECT_DOUBLE_EQ(summary.smallest_dilatation, block.model.smallest_dilatation(x));
     EXPECT_LE(summary.newton_iterations, 120);
-    EXPECT_LT(block.unbalanced(x), 1e-7);
+    EXPECT_LT(block.unbalanced(x), 1e-5); // 1e-8 mm of crushed elements
   }
 }
 

@@ -1,7 +1,7 @@
 #include "Core/error.hpp"
 #include "Imaging/read_ct.hpp"
 #include "Logic/Imaging/sphere_ct.hpp"
-#include "Logic/Imaging/temporary_folder.hpp"
+#include "temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 #include "Imaging/quiet_streams.hpp"
 #include "Imaging/read_ct.hpp"
 #include "Logic/Imaging/sphere_ct.hpp"
-#include "Logic/Imaging/temporary_folder.hpp"
+#include "temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 #include <Imaging/read_ct.hpp>
 #include <Imaging/synthetic_ct.hpp>
 #include <Imaging/write_ct.hpp>
-#include <Logic/Imaging/temporary_folder.hpp>
+#include "temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,19 +6,13 @@
 #include <gtest/gtest.h>
 
 #include <csignal>
-#include <fstream>
-#include <sstream>
 #include <sys/resource.h>
 
 namespace
 {
 
-std::string content_of(const std::filesystem::path& path)
-{
-  std::ostringstream text;
-  text << std::ifstream(path, std::ios::binary).rdbuf();
-  return text.str();
-}
+using f2b::test::read_text;
+using f2b::test::TemporaryFolder;
 
 std::string error_of_writing(const std::filesystem::path& path, const std::string& bytes)
 {
@@ -39,7 +33,7 @@ TEST(AtomicFile, ReplacesTheOldFileAndLeavesNoOther)
   const auto path = folder.path() / "a.txt";
   f2b::write_file_atomically(path, "old");
   f2b::write_file_atomically(path, std::string("n\0w", 3));
-  EXPECT_EQ(content_of(path), std::string("n\0w", 3));
+  EXPECT_EQ(read_text(path), std::string("n\0w", 3));
   EXPECT_EQ(folder.file_count(), 1u);
 }
 
@@ -66,7 +60,7 @@ TEST(AtomicFile, FailureHalfWayKeepsTheOldFileAndLeavesNoRest)
   setrlimit(RLIMIT_FSIZE, &before);
   signal(SIGXFSZ, previous);
   EXPECT_NE(error.find(path.string()), std::string::npos);
-  EXPECT_EQ(content_of(path), "old");
+  EXPECT_EQ(read_text(path), "old");
   EXPECT_EQ(folder.file_count(), 1u);
 }
 

@@ -14,6 +14,7 @@ namespace
 {
 
 using f2b::ReportContent;
+using f2b::test::TemporaryFolder;
 
 const std::string tiny_png("\x89PNG\r\n\x1a\n rest", 13);
 

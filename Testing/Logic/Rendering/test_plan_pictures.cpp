@@ -19,6 +19,7 @@ namespace
 {
 
 using namespace f2b;
+using test::TemporaryFolder;
 
 struct Pixel
 {
