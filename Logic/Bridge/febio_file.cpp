@@ -146,8 +146,7 @@ void add_movement(const ForwardProblem& problem, const NodeSet& set, std::string
     for (std::size_t i = 0; i < set.nodes.size(); ++i)
     {
       const auto n = static_cast<std::size_t>(set.nodes[i]);
-      deck += "<node lid=\"" + std::to_string(i + 1) + "\">" +
-              number(u[n][a]) + "</node>\n";
+      deck += "<node lid=\"" + std::to_string(i + 1) + "\">" + number(u[n][a]) + "</node>\n";
     }
     deck += "</NodeData>\n";
   }

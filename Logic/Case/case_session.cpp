@@ -212,6 +212,28 @@ json to_json(const StabilityReport& stability)
   return told;
 }
 
+nlohmann::json to_json(const EquilibriumSummary& solve)
+{
+  return {{"converged", solve.converged()},
+          {"load_reached", solve.load_reached},
+          {"load_steps", solve.load_steps},
+          {"newton_iterations", solve.newton_iterations},
+          {"factorizations", solve.effort.factorizations},
+          {"cg_iterations", solve.effort.cg_iterations}};
+}
+
+nlohmann::json time_split(const SolveEffort& effort)
+{
+  return {{"assembly", effort.assembly},
+          {"energy", effort.energy},
+          {"analysis", effort.analysis},
+          {"factorization", effort.factorization},
+          {"back_solving", effort.back_solving},
+          {"products", effort.products},
+          {"rest", effort.rest()},
+          {"total", effort.total}};
+}
+
 void require_converged(const EquilibriumSummary& summary, const std::string& what,
                        const std::vector<std::string>& warnings)
 {

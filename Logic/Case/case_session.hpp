@@ -93,6 +93,10 @@ std::vector<Vec3> node_displacements(const MixedMesh& mesh, const std::vector<Ve
 /// What the guard found, tissue by tissue: share of the volume outside the law's stable range, the
 /// worst place and its margin.
 nlohmann::json to_json(const StabilityReport& stability);
+/// How an equilibrium was reached, and what it cost without the seconds.
+nlohmann::json to_json(const EquilibriumSummary& solve);
+/// Where the time went [s].
+nlohmann::json time_split(const SolveEffort& effort);
 /// Throws Error (Numerical) with one sentence if a solve did not converge.
 /// \param warnings  of the guard, which may say why
 void require_converged(const EquilibriumSummary& summary, const std::string& what,

@@ -19,8 +19,7 @@ void write_problem(const ForwardProblem& problem, const std::string& title,
 {
   const DeckOptions deck = {title, options.increments};
   if (options.format == "vtu")
-    write_mesh(file, problem.mesh,
-               {{"prescribed_displacement", fragment_displacements(problem)}});
+    write_mesh(file, problem.mesh, {{"prescribed_displacement", fragment_displacements(problem)}});
   else
     write_file_atomically(file, options.format == "febio" ? febio_deck(problem, deck)
                                                           : calculix_deck(problem, deck));

@@ -66,15 +66,6 @@ json motion_json(const std::string& name, const RigidMotion& motion)
             {"yaw", angles.yaw / degree}}}};
 }
 
-json summary_json(const EquilibriumSummary& s)
-{
-  return {{"converged", s.converged()},
-          {"load_reached", s.load_reached},
-          {"load_steps", s.load_steps},
-          {"newton_iterations", s.newton_iterations},
-          {"factorizations", s.effort.factorizations}};
-}
-
 /// One run of the verb: the face, its target, and what the two methods find.
 class Planning
 {
@@ -271,7 +262,7 @@ void Planning::rigid_fit()
                             {"stability", stability("rigid-fit", fit.x)},
                             {"termination", text_of(fit.termination)},
                             {"iterations", iterations},
-                            {"equilibrium", summary_json(fit.equilibrium)}};
+                            {"equilibrium", to_json(fit.equilibrium)}};
   write("rigid-fit", fit.motions, fit.x, fit.skin_displacement);
   m_seconds["rigid_fit"] = watch.seconds();
 }
@@ -300,8 +291,8 @@ void Planning::virtual_force()
                                 {"tissue_stretch", stretch(again.x)},
                                 {"stability", stability("virtual-force", again.x)},
                                 {"stiffness_n_per_mm3", options.stiffness_n_per_mm3},
-                                {"equilibrium", summary_json(dragged.equilibrium)},
-                                {"prediction", summary_json(again.summary)}};
+                                {"equilibrium", to_json(dragged.equilibrium)},
+                                {"prediction", to_json(again.summary)}};
   write("virtual-force", dragged.motions, again.x, again.skin_displacement);
   m_seconds["virtual_force"] = watch.seconds();
 }

@@ -36,18 +36,6 @@ long inverted_tets(const MixedMesh& mesh, const std::vector<Vec3>& x)
                        });
 }
 
-json time_split(const SolveEffort& effort)
-{
-  return {{"assembly", effort.assembly},
-          {"energy", effort.energy},
-          {"analysis", effort.analysis},
-          {"factorization", effort.factorization},
-          {"back_solving", effort.back_solving},
-          {"products", effort.products},
-          {"rest", effort.rest()},
-          {"total", effort.total}};
-}
-
 json told(FaceModelKind model, const FaceModelResult& result, const MixedMesh& mesh)
 {
   const EquilibriumSummary& solve = result.equilibrium;
@@ -60,9 +48,7 @@ json told(FaceModelKind model, const FaceModelResult& result, const MixedMesh& m
                               {"largest_eigenvalue", result.relaxation.largest_eigenvalue},
                               {"time_step_s", result.relaxation.time_step}};
   else
-    document.update({{"load_steps", solve.load_steps},
-                     {"newton_iterations", solve.newton_iterations},
-                     {"factorizations", solve.effort.factorizations}});
+    document.update(to_json(solve));
   return document;
 }
 

@@ -174,7 +174,8 @@ void report_case(CaseSession& session)
   PictureOptions options;
   options.singles = false; // the comparisons show every one of them
   ReportContent content;
-  for (const WrittenPicture& p : write_plan_pictures(plan_pictures(folder, plan), picture_folder, options))
+  for (const WrittenPicture& p :
+       write_plan_pictures(plan_pictures(folder, plan), picture_folder, options))
     if (p.belongs_in_report)
       content.pictures.push_back({p.title, p.caption, p.path});
 

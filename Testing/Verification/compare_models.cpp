@@ -1,9 +1,7 @@
-#include "Case/case_session.hpp"
 #include "Core/models/face_models.hpp"
+#include "Verification/meshed_case.hpp"
 
-#include <nlohmann/json.hpp>
-
-#include <iostream>
+#include <map>
 
 /// What do the four models of Table 3 cost and predict on a meshed case, for Table 2's movement?
 ///
@@ -14,17 +12,8 @@ namespace
 {
 
 using namespace f2b;
+using namespace f2b::verification;
 using nlohmann::json;
-
-RigidMotion table_2_movement(const Vec3& reference_point)
-{
-  const double degree = std::acos(-1.0) / 180;
-  RigidMotion motion;
-  motion.reference_point = reference_point;
-  motion.translation = {2, 11, -5};
-  motion.rotation = rotation_from({5 * degree, 2.5 * degree, 0});
-  return motion;
-}
 
 json distance(const MixedMesh& mesh, const std::vector<Vec3>& a, const std::vector<Vec3>& b)
 {
@@ -57,8 +46,7 @@ json told(FaceModelKind model, const FaceModelResult& result, double seconds)
 json compare(const CaseSession& session)
 {
   const LoadedFace face(session);
-  std::vector<RigidMotion> motions = rest_motions(face.model());
-  motions.front() = table_2_movement(face.reference_points.front());
+  const std::vector<RigidMotion> motions = table_2_motions(face);
   FaceModelOptions options;
   options.equilibrium = equilibrium_options(session.settings);
   json document = {{"nodes", face.mesh.X.size()},
@@ -84,18 +72,5 @@ json compare(const CaseSession& session)
 
 int main(int argc, char** argv)
 {
-  if (argc != 2)
-  {
-    std::cerr << "usage: compare_models CASE_FOLDER (segmented, cut and meshed)\n";
-    return 2;
-  }
-  try
-  {
-    std::cout << compare(CaseSession::open(argv[1])).dump(2) << "\n";
-  }
-  catch (const std::exception& error)
-  {
-    std::cerr << "compare_models: " << error.what() << "\n";
-    return 1;
-  }
+  return f2b::verification::print_of_case("compare_models", argc, argv, compare);
 }

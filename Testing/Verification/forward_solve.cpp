@@ -1,12 +1,8 @@
-#include "Case/case_session.hpp"
 #include "Core/mesh/skin_crease.hpp"
-
-#include <nlohmann/json.hpp>
+#include "Verification/meshed_case.hpp"
 
 #include <cblas.h>
 #include <sys/resource.h>
-
-#include <iostream>
 
 /// What does one prediction of the face cost on a meshed case, and how smooth is its skin?
 ///
@@ -17,6 +13,7 @@ namespace
 {
 
 using namespace f2b;
+using namespace f2b::verification;
 using nlohmann::json;
 
 /// Of a product of two 2000 x 2000 matrices, the best of three [1/s].
@@ -36,17 +33,6 @@ double dgemm_flop_rate()
   return best;
 }
 
-/// 2 mm to the right, 11 forwards, 5 downwards; pitch 5, roll 2.5 degrees (paper Table 2).
-RigidMotion table_2_movement(const Vec3& reference_point)
-{
-  const double degree = std::acos(-1.0) / 180;
-  RigidMotion motion;
-  motion.reference_point = reference_point;
-  motion.translation = {2, 11, -5};
-  motion.rotation = rotation_from({5 * degree, 2.5 * degree, 0});
-  return motion;
-}
-
 json creases(const MixedMesh& mesh, const std::vector<Vec3>& x)
 {
   const SmoothSkin skin(mesh);
@@ -62,18 +48,6 @@ json creases(const MixedMesh& mesh, const std::vector<Vec3>& x)
   return told;
 }
 
-json split(const SolveEffort& effort)
-{
-  return {{"assembly", effort.assembly},
-          {"energy", effort.energy},
-          {"analysis", effort.analysis},
-          {"factorization", effort.factorization},
-          {"back_solving", effort.back_solving},
-          {"products", effort.products},
-          {"rest", effort.rest()},
-          {"total", effort.total}};
-}
-
 double peak_memory_gib()
 {
   rusage usage{};
@@ -85,47 +59,30 @@ json measure(const CaseSession& session)
 {
   const LoadedFace face(session);
   const FaceModel model = face.model();
-  std::vector<RigidMotion> motions = rest_motions(model);
-  motions.front() = table_2_movement(face.reference_points.front());
+  const std::vector<RigidMotion> motions = table_2_motions(face);
   const Stopwatch watch;
   const Prediction prediction =
       predict_face(model, motions, equilibrium_options(session.settings), no_progress);
   const double seconds = watch.seconds();
   const double memory = peak_memory_gib();
   const EquilibriumSummary& solve = prediction.summary;
-  return {{"prisms", face.mesh.prisms.size()},
-          {"tets", face.mesh.tets.size()},
-          {"control_vectors", face.tissue.control_count()},
-          {"converged", solve.converged()},
-          {"seconds", seconds},
-          {"peak_gib", memory},
-          {"load_steps", solve.load_steps},
-          {"newton_iterations", solve.newton_iterations},
-          {"residuals_n", solve.residuals_n},
-          {"factorizations", solve.effort.factorizations},
-          {"cg_iterations", solve.effort.cg_iterations},
-          {"time_s", split(solve.effort)},
-          {"factorization_gflops", 1e-9 * solve.effort.flop_rate()},
-          {"dgemm_gflops", 1e-9 * dgemm_flop_rate()},
-          {"crease", creases(face.mesh, prediction.x)}};
+  json document = to_json(solve);
+  document.update({{"prisms", face.mesh.prisms.size()},
+                   {"tets", face.mesh.tets.size()},
+                   {"control_vectors", face.tissue.control_count()},
+                   {"seconds", seconds},
+                   {"peak_gib", memory},
+                   {"residuals_n", solve.residuals_n},
+                   {"time_s", time_split(solve.effort)},
+                   {"factorization_gflops", 1e-9 * solve.effort.flop_rate()},
+                   {"dgemm_gflops", 1e-9 * dgemm_flop_rate()},
+                   {"crease", creases(face.mesh, prediction.x)}});
+  return document;
 }
 
 } // namespace
 
 int main(int argc, char** argv)
 {
-  if (argc != 2)
-  {
-    std::cerr << "usage: forward_solve CASE_FOLDER (segmented, cut and meshed)\n";
-    return 2;
-  }
-  try
-  {
-    std::cout << measure(CaseSession::open(argv[1])).dump(2) << "\n";
-  }
-  catch (const std::exception& error)
-  {
-    std::cerr << "forward_solve: " << error.what() << "\n";
-    return 1;
-  }
+  return f2b::verification::print_of_case("forward_solve", argc, argv, measure);
 }

@@ -27,7 +27,8 @@ struct Block
   }
   std::vector<Vec3> moved(const Vec3& translation, const EulerAngles& angles = {}) const
   {
-    return with_fragments_moved(tissue, {RigidMotion{rotation_from(angles), translation, Vec3::Zero()}});
+    return with_fragments_moved(tissue,
+                                {RigidMotion{rotation_from(angles), translation, Vec3::Zero()}});
   }
   double unbalanced(const std::vector<Vec3>& x) const { return model.forces(x).norm(); }
 

@@ -103,8 +103,7 @@ TEST(StressCurve, CompressibleMatterTendsToTheClosedFormAsItsVolumeStiffens)
         EXPECT_NEAR(middle / fine, 10, 0.5); // in proportion to mu / K
         EXPECT_LT(middle, 0.2 * coarse);
       });
-  std::printf("compressible curve at nu = 0.49999 against the closed form: %.1e at worst\n",
-              worst);
+  std::printf("compressible curve at nu = 0.49999 against the closed form: %.1e at worst\n", worst);
 }
 
 TEST(StressCurve, FreeSidesOfTheLinearLawGiveYoungsModulus)

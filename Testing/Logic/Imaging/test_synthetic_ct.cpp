@@ -1,8 +1,8 @@
+#include "temporary_folder.hpp"
 #include <Core/error.hpp>
 #include <Imaging/read_ct.hpp>
 #include <Imaging/synthetic_ct.hpp>
 #include <Imaging/write_ct.hpp>
-#include "temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 
