@@ -160,13 +160,12 @@ void ElementLoops<Element>::energies(const Group& group, const Law& law, const s
 {
   auto with_law = [&](const auto& l)
   {
-    for_each_element<Asked::Energy>(group, l, x,
-                                    [&](long e, const auto& point)
-                                    {
-                                      parts[e] = energy_beyond_points(point) +
-                                                 element_energy(group.element(e),
-                                                                group.positions(x, e), point);
-                                    });
+    auto set_energy = [&](long e, const auto& point)
+    {
+      parts[e] = energy_beyond_points(point) +
+                 element_energy(group.element(e), group.positions(x, e), point);
+    };
+    for_each_element<Asked::Energy>(group, l, x, set_energy);
     if constexpr (std::is_same_v<Element, Tet4>)
       add_patch_energies(group, l, x, parts);
   };
@@ -180,13 +179,12 @@ void ElementLoops<Element>::forces(const Group& group, const Law& law, const std
   using Positions = typename Element::Positions;
   auto with_law = [&](const auto& l)
   {
-    for_each_element<Asked::Forces>(group, l, x,
-                                    [&](long e, const auto& point)
-                                    {
-                                      matrix_at<Positions>(slots, 3 * group.slot(e)) =
-                                          element_forces(group.element(e), group.positions(x, e),
-                                                         point);
-                                    });
+    auto set_forces = [&](long e, const auto& point)
+    {
+      matrix_at<Positions>(slots, 3 * group.slot(e)) =
+          element_forces(group.element(e), group.positions(x, e), point);
+    };
+    for_each_element<Asked::Forces>(group, l, x, set_forces);
   };
   std::visit(with_law, law);
 }
@@ -199,14 +197,13 @@ void ElementLoops<Element>::stiffness(const Group& group, const Law& law, Tangen
   using Positions = typename Element::Positions;
   auto with_law = [&](const auto& l)
   {
-    for_each_element<Asked::Stiffness>(group, l, x,
-                                       [&](long e, const auto& point)
-                                       {
-                                         matrix_at<Positions>(slots, 3 * group.slot(e)) =
-                                             full_stiffness(group.element(e), group.positions(x, e),
-                                                            point, tangent,
-                                                            &blocks[9 * group.block(e)]);
-                                       });
+    auto set_stiffness = [&](long e, const auto& point)
+    {
+      matrix_at<Positions>(slots, 3 * group.slot(e)) =
+          full_stiffness(group.element(e), group.positions(x, e), point, tangent,
+                         &blocks[9 * group.block(e)]);
+    };
+    for_each_element<Asked::Stiffness>(group, l, x, set_stiffness);
     if constexpr (std::is_same_v<Element, Tet4>)
       compute_patch_stiffness(group, l, tangent, x, patches);
   };

@@ -211,26 +211,28 @@ std::optional<EquilibriumSolver::Step> EquilibriumSolver::newton_iteration(Walk&
   if (length < m_options.step_tolerance_mm)
   {
     walk.x = moved(walk.x, step, 1);
-    return Step{length, 0};
+    return Step{length, true};
   }
   const double share = line_search(walk, forces, step, !exact);
   walk.is_thrown = !exact && share < 1;
-  // The next step will be about length^2, with 1 mm as the scale; ten times that is safe, as
-  // tangents change faster in places.
   if (share > 0)
-    return Step{length, exact && share == 1 ? forcing * length + 10 * length * length : length};
+    return Step{length, exact && share == 1};
   if (!exact)
     return std::nullopt;
   step = m_tangents.solve_positive(-forces);
   if (line_search(walk, forces, step, true) > 0)
-    return Step{std::max(largest(step), near_mm), std::max(largest(step), near_mm)};
+    return Step{std::max(largest(step), near_mm), false};
   return std::nullopt;
 }
 
-/// Steps until what is left to go is below the tolerance.
+/// Steps until what is left to go is below the tolerance. A whole step by the exact tangent leaves
+/// what its linear solve left and what the tangent has changed over it, which grows with the square
+/// of the step; how fast, the step before it has shown.
 bool EquilibriumSolver::newton(Walk& walk, double tolerance_mm, int patience)
 {
   double length = walk.is_thrown ? 1 : near_mm; // of the last step
+  double left_by_solve = 0;                     // of the last step, if it was whole
+  bool was_whole = false;
   for (int i = 0; i < m_options.max_newton_iterations && walk.iterations_left > 0; ++i)
   {
     if (!walk.is_near && i >= patience)
@@ -242,9 +244,14 @@ bool EquilibriumSolver::newton(Walk& walk, double tolerance_mm, int patience)
     const std::optional<Step> step = newton_iteration(walk, forcing);
     if (!step)
       return false;
+    double change = 10; // of the tangent [1/mm]
+    if (was_whole)
+      change = std::max(change, 3 * (step->length_mm - left_by_solve) / (length * length));
     length = step->length_mm;
+    was_whole = step->is_whole;
+    left_by_solve = forcing * length;
     walk.is_near = length < near_mm;
-    if (walk.is_near && step->left_mm < tolerance_mm)
+    if (walk.is_near && was_whole && left_by_solve + change * length * length < tolerance_mm)
       return true;
   }
   return false;

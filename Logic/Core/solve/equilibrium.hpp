@@ -49,8 +49,7 @@ struct EquilibriumSummary
 /// with a line search on the energy converges. Where the exact tangent is not positive definite
 /// the positive one takes its place, so a step always lowers the energy. If that fails, the way is
 /// walked again in smaller shares with an equilibrium after each; a share that leads to none is
-/// halved. A state with an inverted
-/// quadrature point is never accepted.
+/// halved. A state with an inverted quadrature point is never accepted.
 class EquilibriumSolver
 {
 public:
@@ -79,10 +78,11 @@ public:
 private:
   struct Walk;
   struct Pace;
-  /// Of Newton's method: its length, and about how much is left to go after it.
+  /// Of Newton's method.
   struct Step
   {
-    double length_mm, left_mm;
+    double length_mm; ///< its largest component, as it was solved for
+    bool is_whole;    ///< by the exact tangent and not shortened
   };
 
   Termination walk(Walk& walk, const Pace& pace);

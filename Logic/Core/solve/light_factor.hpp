@@ -8,9 +8,9 @@
 namespace f2b
 {
 
-/// The structure of a supernodal factor L of P A P^T = L L^T, as CHOLMOD keeps it. Columns of one supernode have the
-/// same rows below them; a supernode's block is dense, columns one after the other. Supernodes are
-/// in postorder.
+/// The structure of a supernodal factor L of P A P^T = L L^T, as CHOLMOD keeps it. Columns of one
+/// supernode have the same rows below them; a supernode's block is dense, columns one after the
+/// other. Supernodes are in postorder.
 struct SupernodalFactor
 {
   long size = 0, supernodes = 0;

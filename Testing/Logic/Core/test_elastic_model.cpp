@@ -208,6 +208,7 @@ TEST(Equilibrium, NewtonConvergesQuadratically)
   for (const double step : steps)
     std::printf("newton step %.3e mm\n", step);
   const double last = steps[steps.size() - 1], before = steps[steps.size() - 2];
+  EXPECT_LT(last, 1e-8);
   EXPECT_LT(last, 10 * before * before + 1e-12);
   // what is left is below the tolerance of 1e-8 mm
   EXPECT_LT(model.forces(x).norm(), 1e-7 * summary.residuals_n.front());

@@ -162,7 +162,7 @@ TEST(Equilibrium, AHopelessMovementStopsSoonAtAnEquilibrium)
     EXPECT_GT(summary.smallest_dilatation, 0);
     EXPECT_DOUBLE_EQ(summary.smallest_dilatation, block.model.smallest_dilatation(x));
     EXPECT_LE(summary.newton_iterations, 120);
-    EXPECT_LT(block.unbalanced(x), 1e-5); // 1e-8 mm of crushed elements
+    EXPECT_LT(block.unbalanced(x), 1e-7); // crushed elements are stiff
   }
 }
 
@@ -244,7 +244,7 @@ TEST(Equilibrium, AnIndefiniteTangentOnTheWayIsPassed)
   const EquilibriumSummary summary =
       solver.move_to(x, block.moved({0, 0, -3}, {10 * degree, 0, 15 * degree}));
   EXPECT_TRUE(summary.converged());
-  EXPECT_LT(block.unbalanced(x), 1e-7);
+  EXPECT_LT(block.unbalanced(x), 1e-8);
   (void)block.model.linearize(x);
   EXPECT_TRUE(factor.factorize(block.model.stiffness()));
 }
