@@ -325,14 +325,15 @@ def meshed_sample(tier):
 def random_movements(tier):
     """Seeded random movements of the sample's mid-face; those into uncut bone are left out (movement_sampler.hpp)."""
     folder = meshed_sample(tier)
-    result = tier.work / "random_movements.json"
-    done = subprocess.run([tier.tool("Verification/random_movements"), folder, "6" if tier.density else "200", result],
-                          capture_output=True, text=True)
-    if done.returncode:
-        raise RuntimeError(f"exit {done.returncode}: {done.stderr.strip()}")
-    print(done.stdout, flush=True)
-    told = load(result)
-    movements = told["movements"]
+    parts = [tier.work / f"random_movements-{i}.json" for i in range(2)]
+    one_thread = dict(os.environ, OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1")
+    running = [subprocess.Popen([tier.tool("Verification/random_movements"), folder, "6" if tier.density else "200",
+                                 part, str(i), str(len(parts))], env=one_thread) for i, part in enumerate(parts)]
+    exits = [process.wait() for process in running]
+    if any(exits):
+        raise RuntimeError(f"exits {exits}")
+    told = load(parts[0])
+    movements = [movement for part in parts for movement in load(part)["movements"]]
     count = len(movements)
     converged = sum(m["converged"] for m in movements)
     small = [m for m in movements if m["translation_mm"] < 12 and m["rotation_deg"] < 6]
@@ -349,8 +350,8 @@ def random_movements(tier):
             ("stopped without the sentence", mute, "0", mute == 0),
             ("states with NaN or an inverted element", inverted, "0", inverted == 0),
             ("smallest det F", min(m["smallest_dilatation"] for m in movements), "> 0", inverted == 0),
-            ("mean time of a solve [s]", sum(seconds) / count, "printed", True),
-            ("longest solve [s]", max(seconds), "printed", True)]
+            ("mean time of a solve, one thread [s]", sum(seconds) / count, "printed", True),
+            ("longest solve, one thread [s]", max(seconds), "printed", True)]
 
 
 CHECKS = {

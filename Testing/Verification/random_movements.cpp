@@ -1,8 +1,10 @@
 // Does the face follow any movement that a surgeon could make?
 //
-//   random_movements CASE_FOLDER COUNT RESULT.json [SEED]
+//   random_movements CASE_FOLDER COUNT RESULT.json [PART PARTS]
 //
 // CASE_FOLDER is meshed and has one fragment. Prints one line a movement and writes RESULT.json.
+// With PART of PARTS, only movements PART, PART + PARTS, ... are tried: one process a core is faster
+// than one process with all cores.
 
 #include "Bridge/grid_file.hpp"
 #include "Bridge/json_file.hpp"
@@ -87,8 +89,15 @@ void print_row(int index, const json& row)
   std::fflush(stdout);
 }
 
-int run(const Path& folder, int count, const Path& result, std::uint64_t seed)
+/// Which of all movements this process tries.
+struct Part
 {
+  int index = 0, count = 1;
+};
+
+int run(const Path& folder, int count, const Path& result, const Part& part)
+{
+  constexpr std::uint64_t seed = 20261122;
   const CaseSession session = CaseSession::open(folder);
   const LoadedFace face(session);
   const ScalarGrid bone = read_scalar_grid(session.folder.require("bone_distance.nrrd", "segment"));
@@ -100,7 +109,10 @@ int run(const Path& folder, int count, const Path& result, std::uint64_t seed)
   json rows = json::array();
   for (int i = 0; i < count; ++i)
   {
-    rows.push_back(tried(face, model, sampler.next(), equilibrium_options(session.settings)));
+    const SampledMovement movement = sampler.next();
+    if (i % part.count != part.index)
+      continue;
+    rows.push_back(tried(face, model, movement, equilibrium_options(session.settings)));
     print_row(i, rows.back());
   }
   write_json(result, {{"seed", seed},
@@ -116,15 +128,17 @@ int run(const Path& folder, int count, const Path& result, std::uint64_t seed)
 
 int main(int argc, char** argv)
 {
-  if (argc < 4)
+  if (argc != 4 && argc != 6)
   {
-    std::fprintf(stderr, "usage: random_movements CASE_FOLDER COUNT RESULT.json [SEED]\n");
+    std::fprintf(stderr, "usage: random_movements CASE_FOLDER COUNT RESULT.json [PART PARTS]\n");
     return 2;
   }
   try
   {
-    return f2b::verification::run(argv[1], std::stoi(argv[2]), argv[3],
-                                  argc > 4 ? std::stoull(argv[4]) : 20261122);
+    f2b::verification::Part part;
+    if (argc == 6)
+      part = {std::stoi(argv[4]), std::stoi(argv[5])};
+    return f2b::verification::run(argv[1], std::stoi(argv[2]), argv[3], part);
   }
   catch (const std::exception& error)
   {
