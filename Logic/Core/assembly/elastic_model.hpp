@@ -25,6 +25,7 @@ public:
   /// Unknown control vectors, ascending; unknown 3 i + a is component a of control
   /// `unknown_controls()[i]`.
   const std::vector<int>& unknown_controls() const { return m_unknown_controls; }
+  std::size_t control_count() const { return m_unknown_of_control.size(); }
   bool is_prescribed(int control) const
   {
     return m_unknown_of_control[static_cast<std::size_t>(control)] < 0;

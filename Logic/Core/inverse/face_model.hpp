@@ -5,6 +5,8 @@
 #include "Core/progress.hpp"
 #include "Core/solve/equilibrium.hpp"
 
+#include <functional>
+
 /// What do the forward and the inverse problem share?
 namespace f2b
 {
@@ -19,11 +21,22 @@ struct FaceModel
   std::vector<Vec3> reference_points; ///< per fragment, that its movement is told about [mm]
 };
 
+/// Where a target surface is nearest to a vertex of the reference skin.
+struct NearestTarget
+{
+  Vec3 displacement; ///< that takes the vertex there from rest [mm]
+  Vec3 normal;       ///< of the surface there, unit
+};
+
 /// What the face should become: a displacement and a weight per reference-skin vertex.
 struct SkinTarget
 {
   std::vector<Vec3> displacement; ///< [mm]
   std::vector<double> weight;     ///< >= 0; 0: the face may do there as it likes
+  /// Of a surface whose points belong to no vertex, as a face scan: where it is nearest to a vertex
+  /// that is displaced. Only the distance to it counts then, and `displacement` is its value at
+  /// rest. Empty: vertices have their own targets. Is called from several threads.
+  std::function<NearestTarget(std::size_t vertex, const Vec3& displacement)> nearest;
 };
 
 /// Rest motions, one per fragment, about the model's reference points.

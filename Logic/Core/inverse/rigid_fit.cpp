@@ -1,11 +1,12 @@
 #include "Core/inverse/rigid_fit.hpp"
 
 #include "Core/error.hpp"
-
-#include <Eigen/Cholesky>
+#include "Core/inverse/box_step.hpp"
+#include "Core/inverse/skin_sensitivity.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace f2b
 {
@@ -17,23 +18,33 @@ class Fit
 {
 public:
   Fit(const FaceModel& face, const SkinTarget& target, const RigidFitOptions& options)
-      : m_face(face), m_target(target), m_options(options),
+      : m_face(face), m_options(options), m_space(movement_space(face, options)),
+        m_residual(target, fit_weights(face, target)),
         m_model(face.tissue, face.materials, held_controls(face.tissue, Held::BoneAndFragments)),
-        m_solver(m_model, options.equilibrium), m_motions(rest_motions(face)),
-        m_x(face.tissue.rest())
+        m_solver(m_model, options.equilibrium), m_q(m_space.start()), m_x(face.tissue.rest())
   {
-    m_weight.resize(m_face.skin_area.size());
-    for (std::size_t v = 0; v < m_weight.size(); ++v)
-      m_weight[v] = face.skin.vertices[v].prism < 0 ? 0 : face.skin_area[v] * target.weight[v];
   }
 
   RigidFitResult run(const Progress& progress);
 
 private:
-  double objective(const std::vector<Vec3>& x) const;
-  void normal_equations(Eigen::MatrixXd& H, Eigen::VectorXd& g);
-  Eigen::VectorXd damped_step(const Eigen::MatrixXd& H, const Eigen::VectorXd& g) const;
-  bool try_step(const Eigen::VectorXd& step);
+  /// Gauss-Newton's, and how far each coordinate may go.
+  struct Quadratic
+  {
+    Eigen::MatrixXd H;
+    Eigen::VectorXd g, least, most;
+  };
+
+  double wish_weight() const
+  {
+    return m_options.skin_sd_mm * m_options.skin_sd_mm * m_options.patch_area_mm2;
+  }
+  double objective(const Eigen::VectorXd& q, const std::vector<Vec3>& x) const;
+  Quadratic quadratic();
+  Eigen::VectorXd damped_step(const Quadratic& model) const;
+  EquilibriumSummary settle(const Eigen::VectorXd& q, std::vector<Vec3>& x);
+  /// Share of the step that the tissue could follow; 1 also where it does not lower the objective.
+  double try_step(const Eigen::VectorXd& step, bool& accepted);
   bool small(const RigidFitIteration& iteration) const
   {
     return iteration.translation_mm < m_options.translation_tolerance_mm &&
@@ -41,181 +52,231 @@ private:
   }
   RigidFitIteration measure(const Eigen::VectorXd& step) const;
   void require_sensitivity(const Eigen::MatrixXd& H) const;
-  bool descend(const Eigen::MatrixXd& H, const Eigen::VectorXd& g);
+  bool descend(const Quadratic& model);
+  void tighten(const RigidFitIteration& step);
+  bool refine();
+  std::vector<Eigen::Index> held_back(const Quadratic& model) const;
 
   const FaceModel& m_face;
-  const SkinTarget& m_target;
   const RigidFitOptions& m_options;
+  MovementSpace m_space;
+  SkinResidual m_residual;
   ElasticModel m_model;
   EquilibriumSolver m_solver;
-  std::vector<RigidMotion> m_motions;
+  Eigen::VectorXd m_q;
   std::vector<Vec3> m_x;
-  std::vector<double> m_weight; ///< area times target weight per reference-skin vertex
   double m_objective = 0;
   double m_damping = 0;
+  double m_exactness_mm = 1e-4; ///< of the equilibria at present
+  bool m_is_exact = false;      ///< so are the current one and all to come
+  bool m_converged = false;
   RigidFitResult m_result;
 };
 
-double Fit::objective(const std::vector<Vec3>& x) const
+double Fit::objective(const Eigen::VectorXd& q, const std::vector<Vec3>& x) const
 {
-  const std::vector<Vec3> u = m_face.skin.displacement(x);
-  double sum = 0;
-  for (std::size_t v = 0; v < u.size(); ++v)
-    sum += 0.5 * m_weight[v] * (u[v] - m_target.displacement[v]).squaredNorm();
-  return sum;
+  return m_residual.objective(m_face.skin.displacement(x)) +
+         0.5 * wish_weight() * m_space.wishes(q).squaredNorm();
 }
 
-/// Rigid velocity fields of one fragment about its moved reference point: omega_x,y,z, then
-/// v_x,y,z.
-std::vector<Vec3> unit_motion(const MixedMesh& mesh, const std::vector<Vec3>& x, int fragment,
-                              const Vec3& center, int parameter)
+Fit::Quadratic Fit::quadratic()
 {
-  std::vector<Vec3> motion(x.size(), Vec3::Zero());
-  const Vec3 axis = Vec3::Unit(parameter % 3);
-  for (std::size_t n = 0; n < mesh.X.size(); ++n)
-    if (mesh.node_boundary[n] == Boundary::Fragment && mesh.node_fragment[n] == fragment)
-      motion[n] = parameter < 3 ? Vec3(axis.cross(x[n] - center)) : axis;
-  return motion;
-}
-
-void Fit::normal_equations(Eigen::MatrixXd& H, Eigen::VectorXd& g)
-{
-  std::vector<std::vector<Vec3>> motions;
-  for (std::size_t f = 0; f < m_motions.size(); ++f)
-    for (int p = 0; p < 6; ++p)
-      motions.push_back(unit_motion(m_face.tissue.mesh(), m_x, static_cast<int>(f),
-                                    m_motions[f].reference_point + m_motions[f].translation, p));
-  const auto responses = m_solver.respond(m_x, motions);
-  // the skin's first-order change, by the linearity of the map from nodes to the reference skin
-  std::vector<std::vector<Vec3>> columns;
-  for (const auto& response : responses)
-    columns.push_back(m_face.skin.of_change(response));
-  const std::vector<Vec3> u = m_face.skin.displacement(m_x);
-  const auto n = static_cast<Eigen::Index>(columns.size());
-  H = Eigen::MatrixXd::Zero(n, n);
-  g = Eigen::VectorXd::Zero(n);
-  for (Eigen::Index i = 0; i < n; ++i)
+  const auto columns = skin_columns(m_face, m_space, m_q, m_x, m_solver, m_exactness_mm);
+  Quadratic model;
+  m_residual.normal_equations(m_face.skin.displacement(m_x), columns, model.H, model.g);
+  const Eigen::MatrixXd slopes = m_space.wish_slopes(m_q);
+  model.H += wish_weight() * slopes.transpose() * slopes;
+  model.g += wish_weight() * slopes.transpose() * m_space.wishes(m_q);
+  model.least = m_space.least() - m_q;
+  model.most = m_space.most() - m_q;
+  for (Eigen::Index k = 0; k < m_space.size(); ++k)
   {
-    const auto& ci = columns[static_cast<std::size_t>(i)];
-    for (std::size_t v = 0; v < u.size(); ++v)
-      g[i] += m_weight[v] * ci[v].dot(u[v] - m_target.displacement[v]);
-    for (Eigen::Index j = 0; j <= i; ++j)
-    {
-      const auto& cj = columns[static_cast<std::size_t>(j)];
-      for (std::size_t v = 0; v < u.size(); ++v)
-        H(i, j) += m_weight[v] * ci[v].dot(cj[v]);
-      H(j, i) = H(i, j);
-    }
+    const bool is_angle = m_space.coordinates()[static_cast<std::size_t>(k)].is_angle();
+    const double longest = is_angle ? m_options.longest_turn_rad : m_options.longest_step_mm;
+    model.least[k] = std::clamp(model.least[k], -longest, 0.0);
+    model.most[k] = std::clamp(model.most[k], 0.0, longest);
   }
+  return model;
 }
 
+/// A fragment whose motions move no skin that counts cannot be planned from it.
 void Fit::require_sensitivity(const Eigen::MatrixXd& H) const
 {
   double loaded = 0;
-  for (const double w : m_weight)
+  for (const double w : m_residual.weight())
     loaded += w;
-  for (std::size_t f = 0; f < m_motions.size(); ++f)
+  for (Eigen::Index k = 0; k < m_space.size(); ++k)
   {
-    const auto first = static_cast<Eigen::Index>(6 * f + 3);
-    const double response = H.diagonal().segment(first, 3).maxCoeff();
-    if (!(loaded > 0) || response < 1e-10 * loaded)
-      throw Error("fragment '" + m_face.tissue.mesh().fragments[f] + "'",
-                  "moving it does not move the skin of the target",
+    const MovementSpace::Coordinate& c = m_space.coordinates()[static_cast<std::size_t>(k)];
+    const double per_unit = c.is_angle() ? 1e-8 : 1e-10; // an angle moves bone by tens of mm a rad
+    if (!(loaded > 0) || !(H(k, k) > per_unit * loaded))
+      throw Error("fragment '" + m_space.names()[static_cast<std::size_t>(c.fragment)] + "'",
+                  "moving it (" + std::string(c.name()) + ") does not move the skin of the target",
                   "give the fragment soft-tissue contact (smaller release margin, other cut), or "
                   "widen the target's mask");
   }
 }
 
-/// Marquardt's step: the diagonal of H scaled by the damping.
-Eigen::VectorXd Fit::damped_step(const Eigen::MatrixXd& H, const Eigen::VectorXd& g) const
+/// Marquardt's step: the diagonal of H scaled by the damping, within the bounds.
+Eigen::VectorXd Fit::damped_step(const Quadratic& model) const
 {
-  Eigen::MatrixXd damped = H;
-  damped.diagonal() *= 1 + m_damping;
-  return -damped.ldlt().solve(g);
+  Eigen::MatrixXd damped = model.H;
+  damped.diagonal() *= 1 + std::max(m_damping, 1e-12);
+  return box_step(damped, model.g, model.least, model.most);
 }
 
-bool Fit::try_step(const Eigen::VectorXd& step)
+EquilibriumSummary Fit::settle(const Eigen::VectorXd& q, std::vector<Vec3>& x)
 {
-  std::vector<RigidMotion> motions = m_motions;
-  for (std::size_t f = 0; f < motions.size(); ++f)
-  {
-    const auto first = static_cast<Eigen::Index>(6 * f);
-    motions[f] = motions[f].followed_by(step.segment<3>(first), step.segment<3>(first + 3));
-  }
-  std::vector<Vec3> x = m_x;
   const EquilibriumSummary solve =
-      m_solver.move_to(x, with_fragments_moved(m_face.tissue, motions));
+      m_solver.move_to(x, with_fragments_moved(m_face.tissue, m_space.motions(q)));
   m_result.equilibrium.add(solve);
+  return solve;
+}
+
+double Fit::try_step(const Eigen::VectorXd& step, bool& accepted)
+{
+  const Eigen::VectorXd q = (m_q + step).cwiseMax(m_space.least()).cwiseMin(m_space.most());
+  std::vector<Vec3> x = m_x;
+  const EquilibriumSummary solve = settle(q, x);
+  accepted = false;
   if (!solve.converged())
-    return false;
-  const double trial = objective(x);
-  if (!(trial < m_objective))
-    return false;
-  m_objective = trial;
-  m_motions = std::move(motions);
-  m_x = std::move(x);
-  return true;
+    return solve.load_reached;
+  const double trial = objective(q, x);
+  accepted = trial < m_objective;
+  if (accepted)
+  {
+    m_objective = trial;
+    m_q = q;
+    m_x = std::move(x);
+  }
+  return 1;
 }
 
 RigidFitIteration Fit::measure(const Eigen::VectorXd& step) const
 {
   RigidFitIteration iteration;
   iteration.objective = m_objective;
-  for (Eigen::Index i = 0; i < step.size(); i += 6)
+  for (std::size_t f = 0; f < m_space.fragment_count(); ++f)
   {
-    iteration.rotation_rad = std::max(iteration.rotation_rad, step.segment<3>(i).norm());
-    iteration.translation_mm = std::max(iteration.translation_mm, step.segment<3>(i + 3).norm());
+    Vec3 shift = Vec3::Zero(), turn = Vec3::Zero();
+    for (Eigen::Index k = 0; k < m_space.size(); ++k)
+    {
+      const Twist twist = m_space.twists(m_q, k)[f];
+      shift += step[k] * twist.v;
+      turn += step[k] * twist.omega;
+    }
+    iteration.rotation_rad = std::max(iteration.rotation_rad, turn.norm());
+    iteration.translation_mm = std::max(iteration.translation_mm, shift.norm());
   }
   return iteration;
 }
 
-/// Tries steps of growing damping until one lowers the objective; false if none does.
-bool Fit::descend(const Eigen::MatrixXd& H, const Eigen::VectorXd& g)
+/// The next equilibrium need not be more exact than a small share of the step that leads to it; but
+/// so exact that the next, much shorter step still lowers the objective by more than its error.
+void Fit::tighten(const RigidFitIteration& step)
 {
-  for (int attempt = 0; attempt < 8; ++attempt)
+  constexpr double radius_mm = 50; // of a fragment, about: what an angle moves
+  const double length = std::max(step.translation_mm, radius_mm * step.rotation_rad);
+  m_exactness_mm =
+      std::clamp(1e-5 * length, m_options.equilibrium.step_tolerance_mm, m_exactness_mm);
+  m_solver.set_step_tolerance(m_exactness_mm);
+}
+
+/// Tries steps of growing damping until one lowers the objective; false if none does.
+bool Fit::descend(const Quadratic& model)
+{
+  // what a step promises below this is rounding of the objective
+  const double noise = 1e-12 * m_objective + std::numeric_limits<double>::min();
+  for (int attempt = 0; attempt < 12; ++attempt)
   {
-    const Eigen::VectorXd step = damped_step(H, g);
+    const Eigen::VectorXd step = damped_step(model);
     m_result.iterations.push_back(measure(step));
-    if (small(m_result.iterations.back()))
+    const double promised = -model.g.dot(step) - 0.5 * step.dot(model.H * step);
+    m_converged = m_converged || small(m_result.iterations.back()) || promised < noise;
+    if (m_converged)
       return false;
-    if (try_step(step))
+    tighten(m_result.iterations.back());
+    bool accepted = false;
+    const double followed = try_step(step, accepted);
+    if (accepted)
     {
       m_damping = m_damping < 1e-6 ? 0 : m_damping / 10;
       return true;
     }
-    m_damping = m_damping == 0 ? 1e-2 : m_damping * 10;
+    if (followed == 1 && refine())
+      return true;
+    // a step that the tissue cannot follow must become about as short as what it did follow
+    const double length = step.norm();
+    do
+      m_damping = m_damping == 0 ? 1e-2 : m_damping * 10;
+    while (m_damping < 1e12 && damped_step(model).norm() > std::max(followed, 0.1) * length);
   }
   return false;
 }
 
+/// Makes the current equilibrium as exact as it can be; false if it is.
+bool Fit::refine()
+{
+  if (m_is_exact)
+    return false;
+  m_is_exact = true;
+  m_exactness_mm = m_options.equilibrium.step_tolerance_mm;
+  m_solver.set_step_tolerance(m_exactness_mm);
+  m_result.equilibrium.add(m_solver.relax(m_x));
+  m_objective = objective(m_q, m_x);
+  return true;
+}
+
+/// Coordinates at a bound that the objective would fall beyond.
+std::vector<Eigen::Index> Fit::held_back(const Quadratic& model) const
+{
+  const Eigen::VectorXd least = m_space.least(), most = m_space.most();
+  std::vector<Eigen::Index> held;
+  for (Eigen::Index k = 0; k < m_space.size(); ++k)
+    if ((m_q[k] <= least[k] && model.g[k] > 0) || (m_q[k] >= most[k] && model.g[k] < 0))
+      held.push_back(k);
+  return held;
+}
+
 RigidFitResult Fit::run(const Progress& progress)
 {
-  m_objective = objective(m_x);
   m_result.equilibrium = m_solver.relax(m_x);
-  m_result.termination = RigidFitTermination::MaxIterations;
-  for (int i = 0; i < m_options.max_iterations; ++i)
+  m_solver.set_step_tolerance(m_exactness_mm);
+  // bounds, or what is locked, may leave out the rest position
+  const bool at_rest = with_fragments_moved(m_face.tissue, m_space.motions(m_q)) == m_x;
+  const bool started = at_rest || settle(m_q, m_x).converged();
+  m_objective = objective(m_q, m_x);
+  m_result.termination =
+      started ? RigidFitTermination::MaxIterations : RigidFitTermination::EquilibriumLost;
+  for (int i = 0; started && i < m_options.max_iterations; ++i)
   {
     progress("fitting the fragments", 1 - 1 / (1 + 0.5 * i));
-    Eigen::MatrixXd H;
-    Eigen::VectorXd g;
-    normal_equations(H, g);
+    const Quadratic model = quadratic();
     if (i == 0)
-      require_sensitivity(H);
-    if (descend(H, g))
+      require_sensitivity(model.H);
+    m_result.at_bounds = held_back(model);
+    if (descend(model))
       continue;
-    const bool converged = small(m_result.iterations.back());
-    m_result.termination = converged ? RigidFitTermination::Converged
-                           : i > 0   ? RigidFitTermination::NoFurtherDescent
-                                     : RigidFitTermination::EquilibriumLost;
+    m_result.termination = m_converged ? RigidFitTermination::Converged
+                           : i > 0     ? RigidFitTermination::NoFurtherDescent
+                                       : RigidFitTermination::EquilibriumLost;
     break;
   }
-  m_result.motions = m_motions;
+  if (started)
+    refine();
+  m_result.q = m_q;
+  m_result.motions = m_space.motions(m_q);
   m_result.skin_displacement = m_face.skin.displacement(m_x);
   m_result.x = std::move(m_x);
   return std::move(m_result);
 }
 
 } // namespace
+
+MovementSpace movement_space(const FaceModel& face, const RigidFitOptions& options)
+{
+  return {face.tissue.mesh().fragments, face.reference_points, options.rules};
+}
 
 RigidFitResult fit_fragments(const FaceModel& face, const SkinTarget& target,
                              const RigidFitOptions& options, const Progress& progress)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "Core/inverse/face_model.hpp"
+#include "Core/inverse/movement_space.hpp"
 
 /// Which movement of the bone fragments brings the face nearest to its target?
 namespace f2b
@@ -8,9 +9,15 @@ namespace f2b
 
 struct RigidFitOptions
 {
+  std::vector<FragmentRules> rules; ///< one per fragment; empty: all move freely
   int max_iterations = 40;
-  double translation_tolerance_mm = 1e-6; ///< converged when the next step would be below both
-  double rotation_tolerance_rad = 1e-8;
+  double translation_tolerance_mm = 2e-6; ///< converged when the next step would be below both
+  double rotation_tolerance_rad = 2e-8;
+  /// Longest step of one iteration: a longer one would leave the range of its linearisation.
+  double longest_step_mm = 25, longest_turn_rad = 0.44;
+  /// Priors and bites with a tolerance are weighed against skin as if every patch of this area were
+  /// one measurement of this standard deviation.
+  double skin_sd_mm = 0.5, patch_area_mm2 = 150;
   EquilibriumOptions equilibrium;
 };
 
@@ -24,7 +31,7 @@ enum class RigidFitTermination
 
 struct RigidFitIteration
 {
-  double objective = 0;      ///< 1/2 sum_v w_v a_v |u_v - d_v|^2 at its beginning [mm^4]
+  double objective = 0;      ///< at its beginning [mm^4], see fit_fragments
   double translation_mm = 0; ///< largest translation step
   double rotation_rad = 0;   ///< largest rotation step
 };
@@ -32,18 +39,26 @@ struct RigidFitIteration
 struct RigidFitResult
 {
   RigidFitTermination termination = RigidFitTermination::Converged;
+  Eigen::VectorXd q;                   ///< coordinates in the options' movement space
   std::vector<RigidMotion> motions;    ///< one per fragment
   std::vector<Vec3> x;                 ///< control vectors in equilibrium at these motions [mm]
   std::vector<Vec3> skin_displacement; ///< of the reference skin [mm]
+  std::vector<Eigen::Index> at_bounds; ///< coordinates that a bound holds back
   std::vector<RigidFitIteration> iterations;
   EquilibriumSummary equilibrium; ///< all solves together
 };
 
-/// Levenberg-Marquardt on SE(3) per fragment: minimises the weighted squared distance of the
-/// reference skin to its target, subject to the tissue's equilibrium with Gamma_n moved rigidly.
+/// The movements that the options allow for the fragments of a face. Throws as MovementSpace.
+MovementSpace movement_space(const FaceModel& face, const RigidFitOptions& options);
+
+/// Levenberg-Marquardt over the movements that the rules allow (6 coordinates on SE(3) per free
+/// fragment): minimises 1/2 sum_v w_v a_v |r_v|^2 + 1/2 sd^2 A |wishes|^2, with r the way from the
+/// target to the reference skin, subject to the tissue's equilibrium with Gamma_n moved rigidly.
 ///
-/// Sensitivities are exact: 6 back-solves a fragment with the tangent's factor at equilibrium.
-/// Throws Error (Numerical) if the target does not determine a fragment's movement at all.
+/// Sensitivities are those of the converged equilibrium, one back-solve a coordinate with the
+/// tangent's factor. The objective never rises. Equilibria on the way are only as exact as the next
+/// step needs; the last one meets the options' tolerance.
+/// Throws Error if the target does not determine a fragment's movement at all.
 RigidFitResult fit_fragments(const FaceModel& face, const SkinTarget& target,
                              const RigidFitOptions& options, const Progress& progress);
 

@@ -405,29 +405,39 @@ EquilibriumSummary EquilibriumSolver::relax(std::vector<Vec3>& x)
   return summary;
 }
 
+/// Motions of the unknowns under loads, at the state that was linearised last.
+std::vector<std::vector<Vec3>> EquilibriumSolver::answers_to(const Eigen::MatrixXd& loads,
+                                                             double tolerance)
+{
+  // an equilibrium without a positive definite tangent is none that could be kept
+  const auto exact = m_tangents.solve(loads, tolerance);
+  const Eigen::MatrixXd answers = exact ? *exact : m_tangents.solve_positive(loads);
+  const std::vector<Vec3> none(m_model.control_count(), Vec3::Zero());
+  std::vector<std::vector<Vec3>> responses;
+  for (Eigen::Index m = 0; m < answers.cols(); ++m)
+    responses.push_back(moved(none, answers.col(m), 1));
+  return responses;
+}
+
 std::vector<std::vector<Vec3>>
 EquilibriumSolver::respond(const std::vector<Vec3>& x,
-                           const std::vector<std::vector<Vec3>>& motions)
+                           const std::vector<std::vector<Vec3>>& motions, double tolerance)
 {
   const TimedPart time(m_tangents.effort().total);
   (void)m_tangents.linearize(x);
   Eigen::MatrixXd loads(m_model.unknown_count(), static_cast<Eigen::Index>(motions.size()));
   for (std::size_t m = 0; m < motions.size(); ++m)
     loads.col(static_cast<Eigen::Index>(m)) = -m_tangents.coupling(motions[m], Tangent::Exact);
-  // an equilibrium without a positive definite tangent is none that could be kept
-  const auto exact = m_tangents.solve(loads, 1e-10);
-  const Eigen::MatrixXd answers = exact ? *exact : m_tangents.solve_positive(loads);
-  const auto& controls = m_model.unknown_controls();
-  std::vector<std::vector<Vec3>> responses;
-  for (std::size_t m = 0; m < motions.size(); ++m)
-  {
-    std::vector<Vec3> response(motions[m].size(), Vec3::Zero());
-    for (std::size_t i = 0; i < controls.size(); ++i)
-      response[static_cast<std::size_t>(controls[i])] =
-          answers.col(static_cast<Eigen::Index>(m)).segment<3>(3 * static_cast<Eigen::Index>(i));
-    responses.push_back(std::move(response));
-  }
-  return responses;
+  return answers_to(loads, tolerance);
+}
+
+std::vector<std::vector<Vec3>> EquilibriumSolver::yield_to(const std::vector<Vec3>& x,
+                                                           const Eigen::MatrixXd& forces,
+                                                           double tolerance)
+{
+  const TimedPart time(m_tangents.effort().total);
+  (void)m_tangents.linearize(x);
+  return answers_to(forces, tolerance);
 }
 
 } // namespace f2b

@@ -69,8 +69,17 @@ public:
 
   /// Motions of the unknowns that follow small motions of what is prescribed, at an equilibrium
   /// `x`, by its exact tangent. Each motion has one vector per control vector [mm].
+  /// \param tolerance  relative, of the solves
   std::vector<std::vector<Vec3>> respond(const std::vector<Vec3>& x,
-                                         const std::vector<std::vector<Vec3>>& motions);
+                                         const std::vector<std::vector<Vec3>>& motions,
+                                         double tolerance = 1e-10);
+  /// Motions of the unknowns that balance small forces on them, one column each [N], at `x`; what
+  /// is prescribed stays. One vector per control vector [mm].
+  std::vector<std::vector<Vec3>> yield_to(const std::vector<Vec3>& x, const Eigen::MatrixXd& forces,
+                                          double tolerance = 1e-10);
+
+  /// From the next solve on.
+  void set_step_tolerance(double millimetres) { m_options.step_tolerance_mm = millimetres; }
 
   /// Is told at every Newton iteration how far a solve has come, in [0, 1]; may throw to cancel.
   void set_progress(std::function<void(double)> progress) { m_progress = std::move(progress); }
@@ -103,6 +112,7 @@ private:
   std::vector<Vec3> stepped(const std::vector<Vec3>& x, const std::vector<Vec3>& motion,
                             const Eigen::VectorXd& correction, const Eigen::VectorXd& response,
                             double share) const;
+  std::vector<std::vector<Vec3>> answers_to(const Eigen::MatrixXd& loads, double tolerance);
   void tell(Walk& walk) const;
   void finish(EquilibriumSummary& summary, const std::vector<Vec3>& x);
 

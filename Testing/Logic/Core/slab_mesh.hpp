@@ -15,6 +15,7 @@ struct SlabOptions
   double skin_mm = 1.5;
   double dome_mm = 0;          ///< height of a dome over the slab, for curved skin
   double fragment_share = 0.5; ///< of the width, centred: the bone that moves
+  int fragments = 1;           ///< 2: it is cut in two halves, right and left
 };
 
 /// Five tetrahedra a cell would not conform; six do. The face points to +S.
@@ -35,8 +36,10 @@ inline MixedMesh make_slab(const SlabOptions& o)
             o.dome_mm * (1 - (r * r + a * a) / (0.5 * o.size_mm * o.size_mm)) * s / o.tissue_mm;
         mesh.X.emplace_back(r, a, s + dome);
         const bool wall = i == 0 || j == 0 || i == o.cells || j == o.cells;
+        const double cut_mm = o.fragments == 2 ? 5 : -1; // half of what is released along it
         const bool fragment =
-            k == 0 && std::max(std::abs(r), std::abs(a)) < 0.5 * o.fragment_share * o.size_mm;
+            k == 0 && std::max(std::abs(r), std::abs(a)) < 0.5 * o.fragment_share * o.size_mm &&
+            std::abs(r) > cut_mm;
         const bool released =
             k == 0 && !fragment &&
             std::max(std::abs(r), std::abs(a)) < 0.5 * o.fragment_share * o.size_mm + 11;
@@ -46,9 +49,11 @@ inline MixedMesh make_slab(const SlabOptions& o)
                                      : k == 0          ? Boundary::FixedBone
                                      : k == levels - 1 ? Boundary::Skin
                                                        : Boundary::Interior);
-        mesh.node_fragment.push_back(!wall && fragment ? 0 : -1);
+        mesh.node_fragment.push_back(wall || !fragment ? -1 : o.fragments == 2 && r > 0 ? 1 : 0);
       }
   mesh.fragments = {"block"};
+  if (o.fragments == 2)
+    mesh.fragments = {"left", "right"};
   static const int paths[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
   for (int k = 0; k < o.layers; ++k)
     for (int j = 0; j < o.cells; ++j)

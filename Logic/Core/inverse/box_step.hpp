@@ -1,0 +1,17 @@
+#pragma once
+
+#include <Eigen/Core>
+
+/// Which step within bounds lowers a quadratic most?
+namespace f2b
+{
+
+/// Minimises 1/2 s.H s + g.s over least <= s <= most, by the primal active-set method (Nocedal and
+/// Wright, Numerical Optimization, 2006, section 16.5): exact up to rounding.
+///
+/// \param H            symmetric, positive definite
+/// \param least, most  least <= 0 <= most in every component
+Eigen::VectorXd box_step(const Eigen::MatrixXd& H, const Eigen::VectorXd& g,
+                         const Eigen::VectorXd& least, const Eigen::VectorXd& most);
+
+} // namespace f2b

@@ -1,0 +1,73 @@
+#pragma once
+
+#include "Core/inverse/face_model.hpp"
+#include "Logic/Core/slab_mesh.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+
+/// The smallest face that can be planned, and movements for it.
+namespace f2b::testing
+{
+
+constexpr double degree = 3.14159265358979323846 / 180;
+
+/// Positions of the reference skin's vertices at rest.
+inline std::vector<Vec3> skin_places(const Discretization& tissue, const SkinInterpolation& skin)
+{
+  std::vector<Vec3> places;
+  for (const SkinWeights& w : skin.vertices)
+  {
+    Vec3 place = Vec3::Zero();
+    for (std::size_t i = 0; i < std::size_t(w.count); ++i)
+      place += w.weight[i] * tissue.rest()[std::size_t(w.control[i])];
+    places.push_back(place);
+  }
+  return places;
+}
+
+/// A slab as a face that is planned; its reference skin is its own skin.
+struct Slab
+{
+  explicit Slab(SlabOptions options = {8, 2, 80, 14, 1.5, 4, 0.5})
+      : mesh(make_slab(options)), materials(soft_material()), tissue(mesh),
+        skin(tissue, corner_map(mesh)), face{tissue, materials, skin,
+                                             std::vector<double>(skin.vertices.size(), 1.0),
+                                             options.fragments == 2
+                                                 ? std::vector<Vec3>{{-12, 0, 0}, {12, 0, 0}}
+                                                 : std::vector<Vec3>{{0, 0, 0}}}
+  {
+  }
+  SkinTarget target_of(const std::vector<RigidMotion>& motions) const
+  {
+    Prediction p = predict_face(face, motions, {}, no_progress);
+    EXPECT_TRUE(p.summary.converged());
+    return {p.skin_displacement, weights(), {}};
+  }
+  std::vector<double> weights() const { return std::vector<double>(skin.vertices.size(), 1.0); }
+  /// Of the reference skin at rest.
+  std::vector<Vec3> positions() const { return skin_places(tissue, skin); }
+  MixedMesh mesh;
+  MaterialSet materials;
+  Discretization tissue;
+  SkinInterpolation skin;
+  FaceModel face;
+};
+
+/// Like the paper's Table 2, smaller, turned so that the slab's face is in front.
+inline RigidMotion table_2_motion()
+{
+  RigidMotion m;
+  m.translation = {2, -5, 3};
+  m.rotation = rotation_from({5 * degree, 2.5 * degree, 0});
+  return m;
+}
+
+/// Of two rotations [rad].
+inline double angle_between(const Mat3& a, const Mat3& b)
+{
+  return Eigen::AngleAxisd(a.transpose() * b).angle();
+}
+
+} // namespace f2b::testing
