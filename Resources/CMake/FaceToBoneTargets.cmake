@@ -39,7 +39,8 @@ function(facetobone_add_library name)
 endfunction()
 
 # facetobone_add_test(NAME SOURCES a.cpp ... LINK lib ... [TIMEOUT s])
-# One GoogleTest program; each of its tests is a CTest test.
+# One GoogleTest program; each of its tests is a CTest test. Threads that wait sleep, as several tests
+# share the cores: spinning, the same tests take many times as long.
 function(facetobone_add_test name)
   cmake_parse_arguments(ARG "" "TIMEOUT" "SOURCES;LINK" ${ARGN})
   if(NOT ARG_TIMEOUT)
@@ -49,5 +50,6 @@ function(facetobone_add_test name)
   target_link_libraries(${name} PRIVATE ${ARG_LINK} GTest::gtest_main)
   target_include_directories(${name} PRIVATE "${PROJECT_SOURCE_DIR}/Testing")
   facetobone_warnings(${name})
-  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT ${ARG_TIMEOUT})
+  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST
+    PROPERTIES TIMEOUT ${ARG_TIMEOUT} ENVIRONMENT OMP_WAIT_POLICY=passive)
 endfunction()
