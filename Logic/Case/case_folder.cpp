@@ -261,6 +261,7 @@ const std::vector<std::string>& case_file_names()
                                                  "mesh.vtu",
                                                  "target.json",
                                                  "target.vtp",
+                                                 "target_scan.vtp",
                                                  "plan.json",
                                                  "predict.json",
                                                  "predicted.vtp",

@@ -102,6 +102,20 @@ void require_known_template(const std::string& name, const std::string& where, c
               "use one of " + known);
 }
 
+/// Calls visit(path) for every file that a fragment's rules name.
+template <class Visit>
+void visit_bite_paths(json& movement, const Visit& visit)
+{
+  if (!movement.contains("bite"))
+    return;
+  json& bite = movement["bite"];
+  if (bite.contains("splint"))
+    visit(bite["splint"]);
+  if (bite.contains("points"))
+    for (const char* key : {"from", "to"})
+      visit(bite["points"][key]);
+}
+
 OsteotomySettings osteotomy_from(const json& value, std::size_t index, const Path& source)
 {
   OsteotomySettings o;
@@ -122,6 +136,9 @@ OsteotomySettings osteotomy_from(const json& value, std::size_t index, const Pat
                 where + " has planes but no fragment_point_ras or no fragment name",
                 "name the fragment and give a point on the bone that is to be free");
   require_known_template(o.template_name, where, source);
+  o.movement = value.value("movement", json());
+  visit_bite_paths(o.movement,
+                   [&](json& path) { path = resolved(path.get<std::string>(), source).string(); });
   return o;
 }
 
@@ -129,6 +146,11 @@ TargetSettings target_from(const json& value, const Path& source)
 {
   TargetSettings target;
   take_path(value, "mesh", source, target.mesh);
+  if (value.contains("scan"))
+  {
+    take_path(value["scan"], "mesh", source, target.scan);
+    take(value["scan"], "reach_mm", target.scan_reach_mm);
+  }
   if (value.contains("warp"))
   {
     take_path(value["warp"], "from", source, target.warp_from);
@@ -138,10 +160,11 @@ TargetSettings target_from(const json& value, const Path& source)
   if (value.contains("from_movement"))
     target.movements = movements_from(value["from_movement"]);
   take(value, "mask_mm", target.mask_mm);
-  const int kinds = !target.mesh.empty() + !target.warp_from.empty() + !target.movements.empty();
+  const int kinds = !target.mesh.empty() + !target.scan.empty() + !target.warp_from.empty() +
+                    !target.movements.empty();
   if (kinds != 1)
     throw Error(source.string(),
-                "'/target' has " + std::to_string(kinds) + " of mesh, warp and from_movement",
+                "'/target' has " + std::to_string(kinds) + " of mesh, scan, warp and from_movement",
                 "give exactly one of them");
   return target;
 }
@@ -261,12 +284,18 @@ json with_absolute_paths(json document, const Path& source)
     if (document.contains(key))
       make_absolute(document[key]);
   for (json& osteotomy : document["osteotomies"])
+  {
     if (osteotomy.contains("planes"))
       for (json& file : osteotomy["planes"])
         make_absolute(file);
+    if (osteotomy.contains("movement"))
+      visit_bite_paths(osteotomy["movement"], make_absolute);
+  }
   json& target = document["target"];
   if (target.contains("mesh"))
     make_absolute(target["mesh"]);
+  if (target.contains("scan"))
+    make_absolute(target["scan"]["mesh"]);
   if (target.contains("warp"))
     for (const char* key : {"from", "to"})
       make_absolute(target["warp"][key]);

@@ -34,11 +34,14 @@ struct OsteotomySettings
   std::vector<Path> planes;
   std::optional<Vec3> fragment_point;
   double kerf_mm = 1.0;
+  nlohmann::json movement; ///< as written, paths absolute (movement_rules.hpp); null: free
 };
 
 struct TargetSettings
 {
-  Path mesh; ///< exactly one of mesh, warp_from/warp_to, movements is given
+  Path mesh; ///< exactly one of mesh, scan, warp_from/warp_to, movements is given
+  Path scan;
+  double scan_reach_mm = 30;
   Path warp_from, warp_to;
   double warp_radius_mm = 45;
   Movements movements;

@@ -3,6 +3,9 @@
 #include "Bridge/mesh_file.hpp"
 #include "Bridge/transform_file.hpp"
 #include "Case/face_regions.hpp"
+#include "Case/movement_rules.hpp"
+#include "Case/plan_intervals.hpp"
+#include "Case/plan_target.hpp"
 #include "Case/verbs.hpp"
 #include "Core/error.hpp"
 #include "Core/geometry/bone_overlap.hpp"
@@ -71,23 +74,13 @@ class Planning
 {
 public:
   explicit Planning(CaseSession& session)
-      : m_session(session), m_face(session), m_change(session.folder)
+      : m_session(session), m_face(session), m_target(session, m_face), m_change(session.folder)
   {
-    const auto surface = read_surface(session.folder.require("target.vtp", "target"));
-    m_target.displacement = point_vectors(surface, "displacement");
-    m_target.weight = point_scalars(surface, "weight");
-    if (m_target.weight.size() != m_face.skin_area.size())
-      throw Error("target.vtp", "it does not belong to this reference skin",
-                  "run 'facetobone target' again");
-    const TriangleMesh target = to_triangle_mesh(surface);
-    m_target_points = target.points;
-    m_target_normals = vertex_normals(target);
     m_bone = read_scalar_grid(session.folder.require("bone_distance.nrrd", "segment"));
     m_bone_parts = read_label_grid(session.folder.require("bone_parts.nrrd", "cut"));
     m_regions = face_regions(
         read_scalar_grid(session.folder.require("closed_bone_distance.nrrd", "segment")),
         m_bone_parts, m_face.reference_skin.points);
-    require_overlap();
   }
 
   void rigid_fit();
@@ -95,21 +88,20 @@ public:
   void finish(double seconds);
 
 private:
-  void require_overlap() const;
   json errors(const std::vector<Vec3>& skin_displacement) const;
   json fragments(const std::string& method, const std::vector<RigidMotion>& motions);
   json stretch(const std::vector<Vec3>& x) const;
+  json intervals(const RigidFitResult& fit, const RigidFitOptions& options);
+  void warn_of_bounds(const RigidFitResult& fit, const RigidFitOptions& options);
   json stability(const std::string& method, const std::vector<Vec3>& x);
   void warn_of_overlap(const std::string& method, const std::string& fragment,
                        const BoneOverlap& overlap);
   void write(const std::string& method, const std::vector<RigidMotion>& motions,
              const std::vector<Vec3>& x, const std::vector<Vec3>& skin_displacement);
-  std::vector<double> distances(const std::vector<Vec3>& skin_displacement) const;
 
   CaseSession& m_session;
   LoadedFace m_face;
-  SkinTarget m_target;
-  std::vector<Vec3> m_target_points, m_target_normals;
+  PlanTarget m_target;
   FaceRegions m_regions;
   ScalarGrid m_bone;
   LabelGrid m_bone_parts;
@@ -119,27 +111,10 @@ private:
   json m_warnings = json::array();
 };
 
-void Planning::require_overlap() const
-{
-  for (std::size_t v = 0; v < m_target.weight.size(); ++v)
-    if (m_target.weight[v] > 0 && m_face.skin_area[v] > 0)
-      return;
-  throw Error("target", "no weighted part of it lies on the meshed face",
-              "widen the target's mask (target.mask_mm) or the region of interest");
-}
-
-std::vector<double> Planning::distances(const std::vector<Vec3>& skin_displacement) const
-{
-  std::vector<Vec3> predicted = m_face.reference_skin.points;
-  for (std::size_t v = 0; v < predicted.size(); ++v)
-    predicted[v] += skin_displacement[v];
-  return signed_distances(predicted, m_target_points, m_target_normals);
-}
-
 /// Over the whole face, and by the bone below it.
 json Planning::errors(const std::vector<Vec3>& skin_displacement) const
 {
-  const std::vector<double> d = distances(skin_displacement);
+  const std::vector<double> d = m_target.signed_distances(skin_displacement);
   json result = error_json(skin_error(d, m_face.skin_area));
   for (const bool cut : {true, false})
   {
@@ -202,7 +177,7 @@ void Planning::write(const std::string& method, const std::vector<RigidMotion>& 
 {
   const auto predicted = displaced_skin(m_face, skin_displacement);
   // where the face was not meshed nothing is known
-  std::vector<double> distance = distances(skin_displacement);
+  std::vector<double> distance = m_target.signed_distances(skin_displacement);
   for (std::size_t v = 0; v < distance.size(); ++v)
     if (m_face.skin_area[v] <= 0)
       distance[v] = std::nan("");
@@ -236,13 +211,56 @@ const char* text_of(RigidFitTermination termination)
   return "";
 }
 
+/// Coordinates that would go on if their bounds let them.
+void Planning::warn_of_bounds(const RigidFitResult& fit, const RigidFitOptions& options)
+{
+  const MovementSpace space = movement_space(m_face.model(), options);
+  for (const Eigen::Index k : fit.at_bounds)
+  {
+    const MovementSpace::Coordinate& c = space.coordinates()[static_cast<std::size_t>(k)];
+    char text[200];
+    std::snprintf(text, sizeof text,
+                  "rigid-fit: '%s' is held back by its bound of %.4g %s (%s); the target asks for "
+                  "more",
+                  space.names()[static_cast<std::size_t>(c.fragment)].c_str(),
+                  c.is_angle() ? fit.q[k] / degree : fit.q[k], c.is_angle() ? "degrees" : "mm",
+                  c.name());
+    m_warnings.push_back(text);
+  }
+}
+
+/// What the plan's coordinates are sure to; a target that leaves some of them free has none.
+json Planning::intervals(const RigidFitResult& fit, const RigidFitOptions& options)
+{
+  m_session.progress("finding how sure the plan is", 0);
+  const Stopwatch watch;
+  const UncertaintySources sources;
+  json result = {{"assumes", to_json(sources)}};
+  try
+  {
+    result["fragments"] =
+        intervals_json(movement_space(m_face.model(), options),
+                       plan_uncertainty(m_face.model(), m_target.skin(), options, fit,
+                                        m_face.reference_skin.points, sources),
+                       fit.at_bounds);
+  }
+  catch (const Error& error)
+  {
+    m_warnings.push_back(std::string("rigid-fit: no intervals: ") + error.what());
+  }
+  m_seconds["intervals"] = watch.seconds();
+  return result;
+}
+
 void Planning::rigid_fit()
 {
   const Stopwatch watch;
   RigidFitOptions options;
+  options.rules = movement_rules(m_session, m_face.mesh);
   options.max_iterations = m_session.settings.max_fit_iterations;
   options.equilibrium = equilibrium_options(m_session.settings);
-  const RigidFitResult fit = fit_fragments(m_face.model(), m_target, options, m_session.progress);
+  const RigidFitResult fit =
+      fit_fragments(m_face.model(), m_target.skin(), options, m_session.progress);
   if (fit.termination == RigidFitTermination::EquilibriumLost)
     throw Error(
         "rigid-fit", "the tissue cannot follow even a small movement towards this target",
@@ -251,6 +269,7 @@ void Planning::rigid_fit()
   if (fit.termination != RigidFitTermination::Converged)
     m_warnings.push_back(std::string("rigid-fit stopped early (") + text_of(fit.termination) +
                          "): the movement is the best that was found");
+  warn_of_bounds(fit, options);
   json iterations = json::array();
   for (const RigidFitIteration& i : fit.iterations)
     iterations.push_back({{"objective", i.objective},
@@ -260,11 +279,12 @@ void Planning::rigid_fit()
                             {"skin_error_mm", errors(fit.skin_displacement)},
                             {"tissue_stretch", stretch(fit.x)},
                             {"stability", stability("rigid-fit", fit.x)},
+                            {"intervals", intervals(fit, options)},
                             {"termination", text_of(fit.termination)},
                             {"iterations", iterations},
                             {"equilibrium", to_json(fit.equilibrium)}};
   write("rigid-fit", fit.motions, fit.x, fit.skin_displacement);
-  m_seconds["rigid_fit"] = watch.seconds();
+  m_seconds["rigid_fit"] = watch.seconds() - m_seconds["intervals"].get<double>();
 }
 
 void Planning::virtual_force()
@@ -274,7 +294,7 @@ void Planning::virtual_force()
   options.stiffness_n_per_mm3 = m_session.settings.virtual_force_stiffness;
   options.equilibrium = equilibrium_options(m_session.settings);
   const VirtualForceResult dragged =
-      drag_skin(m_face.model(), m_target, options, m_session.progress);
+      drag_skin(m_face.model(), m_target.skin(), options, m_session.progress);
   if (dragged.equilibrium.load_reached < 1)
     m_warnings.push_back("virtual-force: the skin could be pulled only " +
                          std::to_string(std::lround(100 * dragged.equilibrium.load_reached)) +

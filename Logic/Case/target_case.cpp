@@ -1,4 +1,6 @@
 #include "Bridge/json_file.hpp"
+#include "Bridge/scan_surface.hpp"
+#include "Case/plan_target.hpp"
 #include "Case/verbs.hpp"
 #include "Case/warp_points.hpp"
 #include "Core/error.hpp"
@@ -94,9 +96,27 @@ std::vector<Vec3> from_movement(CaseSession& session)
   return prediction.skin_displacement;
 }
 
-std::vector<double> weights(const std::vector<Vec3>& displacement, double mask_mm)
+/// The nearest places of a scan, which must lie over some of the face.
+SkinTarget from_scan(const TargetSettings& target, const TriangleMesh& reference)
 {
-  std::vector<double> weight(displacement.size(), 1.0);
+  const auto scan = std::make_shared<const ScanSurface>(read_surface(target.scan));
+  SkinTarget found =
+      target_on_scan(scan, reference.points, vertex_normals(reference), target.scan_reach_mm);
+  const auto counting = std::count(found.weight.begin(), found.weight.end(), 1.0);
+  if (counting < 100)
+    throw Error(target.scan.string(),
+                "it overlaps the face in " + std::to_string(counting) + " of " +
+                    std::to_string(found.weight.size()) + " vertices within " +
+                    millimetres(target.scan_reach_mm),
+                "register the scan to the CT first, check its frame (LPS, or RAS with SPACE=RAS "
+                "said in the file), or raise target.scan.reach_mm");
+  return found;
+}
+
+/// Without what the target moves by less than the mask.
+std::vector<double> masked(std::vector<double> weight, const std::vector<Vec3>& displacement,
+                           double mask_mm)
+{
   for (std::size_t v = 0; v < weight.size(); ++v)
     if (mask_mm > 0 && displacement[v].norm() < mask_mm)
       weight[v] = 0;
@@ -114,25 +134,36 @@ void target_case(CaseSession& session)
   const TriangleMesh reference = to_triangle_mesh(skin);
   session.progress("making the target face", 0);
   const char* kind = !target.mesh.empty()        ? "mesh"
+                     : !target.scan.empty()      ? "scan"
                      : !target.warp_from.empty() ? "warp"
                                                  : "from_movement";
-  const std::vector<Vec3> displacement = !target.mesh.empty() ? from_mesh(target.mesh, reference)
-                                         : !target.warp_from.empty() ? from_warp(target, reference)
-                                                                     : from_movement(session);
+  SkinTarget made{{}, std::vector<double>(reference.points.size(), 1.0), {}};
+  if (!target.mesh.empty())
+    made.displacement = from_mesh(target.mesh, reference);
+  else if (!target.scan.empty())
+    made = from_scan(target, reference);
+  else if (!target.warp_from.empty())
+    made.displacement = from_warp(target, reference);
+  else
+    made.displacement = from_movement(session);
+  const std::vector<Vec3>& displacement = made.displacement;
   std::vector<Vec3> points = reference.points;
   double peak = 0;
   for (std::size_t v = 0; v < points.size(); ++v)
   {
     points[v] += displacement[v];
-    peak = std::max(peak, displacement[v].norm());
+    if (made.weight[v] > 0)
+      peak = std::max(peak, displacement[v].norm());
   }
   const vtkSmartPointer<vtkPolyData> surface = with_points(skin, points);
   add_point_array(surface, "displacement", displacement);
-  add_point_array(surface, "weight", weights(displacement, target.mask_mm));
+  add_point_array(surface, "weight", masked(made.weight, displacement, target.mask_mm));
 
   CaseChange change(session.folder);
   write_json(change.file(case_settings_name), session.document);
   write_surface(change.file("target.vtp"), surface);
+  if (!target.scan.empty())
+    write_surface(change.file(target_scan_name), read_surface(target.scan));
   write_json(change.file("target.json"),
              {{"seconds", watch.seconds()}, {"kind", kind}, {"peak_displacement_mm", peak}});
   change.commit("target");

@@ -31,7 +31,7 @@ struct Arguments
 {
   std::string case_file, folder;
   bool quiet = false;
-  std::string target_mesh, warp_from, warp_to;
+  std::string target_mesh, scan, warp_from, warp_to;
   double warp_radius_mm = 45;
   std::vector<std::string> movements;
   std::string model;
@@ -84,9 +84,11 @@ void target(const Arguments& a, const Progress& progress)
   nlohmann::json document = session.document;
   nlohmann::json& target = document["target"];
   const bool warp = !a.warp_from.empty() || !a.warp_to.empty();
-  if (!a.target_mesh.empty() || warp || !a.movements.empty())
-    for (const char* kind : {"mesh", "warp", "from_movement"})
+  if (!a.target_mesh.empty() || !a.scan.empty() || warp || !a.movements.empty())
+    for (const char* kind : {"mesh", "scan", "warp", "from_movement"})
       target.erase(kind);
+  if (!a.scan.empty())
+    target["scan"] = {{"mesh", a.scan}};
   if (!a.target_mesh.empty())
     target["mesh"] = a.target_mesh;
   if (warp)
@@ -258,6 +260,8 @@ std::map<CLI::App*, Action> add_verbs(CLI::App& app, Arguments& a)
   CLI::App* target_verb = add_movements(add_verb(app, a, "target", "Make the target face"), a);
   target_verb->add_option("--mesh", a.target_mesh,
                           "The exported skin.vtp after editing (.vtp, .ply, .obj)");
+  target_verb->add_option("--scan", a.scan,
+                          "A surface with any vertices, such as a face scan, in the CT's frame");
   auto* from = target_verb->add_option("--warp-from", a.warp_from, "Slicer fiducials on the face");
   auto* to = target_verb->add_option("--warp-to", a.warp_to, "Where they should go, same labels");
   from->needs(to);

@@ -309,12 +309,12 @@ def reproducible(tier):
             ("movements, 1 against 2 threads [deg]", degrees, "< 1e-6", degrees < 1e-6)]
 
 
-def meshed_sample(tier):
+def meshed_sample(tier, density):
     """The virtual patient, segmented, cut and meshed."""
     sample, folder = tier.work / "sample", tier.work / "sample-meshed"
     tier.run("sample", "-o", sample)
     case = load(sample / "case.json")
-    case["mesh"] = {"density": tier.density or 1}
+    case["mesh"] = {"density": tier.density or density}
     (sample / "meshed.json").write_text(json.dumps(case))
     tier.run("segment", sample / "meshed.json", "-o", folder)
     tier.run("cut", folder)
@@ -324,7 +324,7 @@ def meshed_sample(tier):
 
 def random_movements(tier):
     """Seeded random movements of the sample's mid-face; those into uncut bone are left out (movement_sampler.hpp)."""
-    folder = meshed_sample(tier)
+    folder = meshed_sample(tier, 0.6)  # the virtual head is large: this is the reference size, 110k tets
     parts = [tier.work / f"random_movements-{i}.json" for i in range(2)]
     one_thread = dict(os.environ, OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1")
     running = []

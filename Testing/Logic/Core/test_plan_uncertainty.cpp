@@ -136,6 +136,122 @@ TEST(PlanUncertainty, NoiseSpreadsThePlanAsManyNoisyTargetsDo)
   }
 }
 
+/// A face that is not as the plan believes: tissue, skin, noise and registration drawn from the
+/// priors that the sources state.
+class DrawnTruth
+{
+public:
+  explicit DrawnTruth(const Slab& slab, unsigned seed)
+      : m_generator(seed), m_slab(slab), m_positions(slab.positions())
+  {
+    Eigen::MatrixXd covariance(m_positions.size(), m_positions.size());
+    for (std::size_t v = 0; v < m_positions.size(); ++v)
+      for (std::size_t w = 0; w < m_positions.size(); ++w)
+        covariance(Eigen::Index(v), Eigen::Index(w)) =
+            std::exp(-0.5 * (m_positions[v] - m_positions[w]).squaredNorm() / 25) +
+            (v == w ? 1e-9 : 0);
+    m_root = covariance.llt().matrixL();
+  }
+
+  struct Case
+  {
+    Eigen::VectorXd q;
+    SkinTarget target;
+  };
+  Case draw()
+  {
+    Case drawn;
+    drawn.q.resize(6);
+    for (int k = 0; k < 6; ++k)
+      drawn.q[k] = k < 3 ? uniform(-6, 6) * degree : uniform(-4, 4);
+    MaterialSet materials = m_slab.materials;
+    const double nu = uniform(0.45, 0.49);
+    for (Law& law : materials.laws)
+      law =
+          with_poisson_ratio(stiffened(law, std::exp(uniform(-std::log(2.0), std::log(2.0)))), nu);
+    const MixedMesh mesh = with_skin_of(uniform(1.0, 2.0));
+    const Discretization tissue(mesh);
+    const FaceModel face{tissue, materials, m_slab.skin, m_slab.face.skin_area,
+                         m_slab.face.reference_points};
+    const MovementSpace space = movement_space(m_slab.face, {});
+    const Prediction truth = predict_face(face, space.motions(drawn.q), {}, no_progress);
+    EXPECT_TRUE(truth.summary.converged());
+    drawn.target = {truth.skin_displacement, m_slab.weights(), {}};
+    add_errors(drawn.target.displacement);
+    return drawn;
+  }
+
+private:
+  double uniform(double low, double high)
+  {
+    return std::uniform_real_distribution<double>(low, high)(m_generator);
+  }
+  double normal() { return std::normal_distribution<double>()(m_generator); }
+  /// Mean thickness as given; nominal is 1.5 mm where the slab has no dome.
+  MixedMesh with_skin_of(double thickness_mm) const
+  {
+    MixedMesh mesh = m_slab.mesh;
+    for (const auto& prism : m_slab.mesh.prisms)
+      for (std::size_t c = 0; c < 3; ++c)
+      {
+        const auto top = std::size_t(prism[c]), bottom = std::size_t(prism[c + 3]);
+        if (mesh.node_boundary[bottom] == Boundary::Interior)
+          mesh.X[bottom] = m_slab.mesh.X[top] +
+                           (thickness_mm / 1.5) * (m_slab.mesh.X[bottom] - m_slab.mesh.X[top]);
+      }
+    return mesh;
+  }
+  void add_errors(std::vector<Vec3>& displacement)
+  {
+    const Eigen::MatrixXd noise =
+        0.5 * m_root * Eigen::MatrixXd::NullaryExpr(m_root.rows(), 3, [this] { return normal(); });
+    const Vec3 shift = 0.3 * Vec3(normal(), normal(), normal());
+    for (std::size_t v = 0; v < displacement.size(); ++v)
+      displacement[v] += Vec3(noise.row(Eigen::Index(v))) + shift;
+  }
+
+  std::mt19937 m_generator;
+  const Slab& m_slab;
+  std::vector<Vec3> m_positions;
+  Eigen::MatrixXd m_root;
+};
+
+TEST(PlanUncertainty, NinetyPercentIntervalsHoldTheTruthNineTimesInTen)
+{
+  Slab slab;
+  slab.materials = soft_material(0.49);
+  slab.materials.laws[0] = stiffened(slab.materials.laws[0], 3); // skin
+  slab.materials.laws[1] = stiffened(slab.materials.laws[1], 0.5);
+  DrawnTruth truth(slab, 20261123);
+  constexpr int cases = 200;
+  std::array<int, 6> held{};
+  Eigen::VectorXd squares = Eigen::VectorXd::Zero(6), widths = Eigen::VectorXd::Zero(6);
+  for (int i = 0; i < cases; ++i)
+  {
+    const DrawnTruth::Case drawn = truth.draw();
+    const RigidFitResult plan = fit_fragments(slab.face, drawn.target, {}, no_progress);
+    const auto spread = plan_uncertainty(slab.face, drawn.target, {}, plan, slab.positions(), {});
+    for (std::size_t k = 0; k < 6; ++k)
+    {
+      const double off = plan.q[Eigen::Index(k)] - drawn.q[Eigen::Index(k)];
+      held[k] += std::abs(off) <= spread[k].half_90();
+      squares[Eigen::Index(k)] += off * off / cases;
+      widths[Eigen::Index(k)] += spread[k].sd() / cases;
+    }
+  }
+  const MovementSpace space = movement_space(slab.face, {});
+  for (std::size_t k = 0; k < 6; ++k)
+  {
+    const double share = double(held[k]) / cases;
+    std::printf("%-9s 90 %% intervals hold the truth in %.1f %% of %d cases; rms error %.4g, mean "
+                "sd told %.4g\n",
+                space.coordinates()[k].name(), 100 * share, cases,
+                std::sqrt(squares[Eigen::Index(k)]), widths[Eigen::Index(k)]);
+    EXPECT_GE(share, 0.85);
+    EXPECT_LE(share, 0.95);
+  }
+}
+
 TEST(PlanUncertainty, AShiftOfTheTargetSpreadsTheTranslation)
 {
   const Planned p;
