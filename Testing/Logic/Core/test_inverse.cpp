@@ -1,10 +1,7 @@
 #include "Core/error.hpp"
 #include "Core/inverse/rigid_fit.hpp"
 #include "Core/inverse/skin_error.hpp"
-#include "Core/inverse/virtual_force.hpp"
-#include "Logic/Core/slab_mesh.hpp"
-
-#include <gtest/gtest.h>
+#include "Logic/Core/slab_face.hpp"
 
 #include <Eigen/Geometry>
 
@@ -16,40 +13,6 @@ namespace
 {
 
 using namespace testing;
-
-constexpr double degree = 3.14159265358979323846 / 180;
-
-struct Slab
-{
-  explicit Slab(SlabOptions options = {8, 2, 80, 14, 1.5, 4, 0.5})
-      : mesh(make_slab(options)), materials(soft_material()), tissue(mesh),
-        skin(tissue, corner_map(mesh)), face{tissue,
-                                             materials,
-                                             skin,
-                                             std::vector<double>(skin.vertices.size(), 1.0),
-                                             {Vec3(0, 0, 0)}}
-  {
-  }
-  SkinTarget target_of(const RigidMotion& motion) const
-  {
-    Prediction p = predict_face(face, {motion}, {}, no_progress);
-    EXPECT_TRUE(p.summary.converged());
-    return {p.skin_displacement, std::vector<double>(skin.vertices.size(), 1.0)};
-  }
-  MixedMesh mesh;
-  MaterialSet materials;
-  Discretization tissue;
-  SkinInterpolation skin;
-  FaceModel face;
-};
-
-RigidMotion table_2_motion()
-{
-  RigidMotion m;
-  m.translation = {2, -5, 3};
-  m.rotation = rotation_from({5 * degree, 2.5 * degree, 0});
-  return m;
-}
 
 double angle_between(const Mat3& a, const Mat3& b)
 {
@@ -102,19 +65,6 @@ TEST(RigidFit, AMaskWithoutSkinIsRefused)
                              {std::vector<Vec3>(n, Vec3(0, 0, 1)), std::vector<double>(n, 0.0)}, {},
                              no_progress),
                Error);
-}
-
-TEST(VirtualForce, IsBiasedTowardsTooLittleMovementAsTheDesignSays)
-{
-  const Slab slab;
-  const RigidMotion truth = table_2_motion();
-  const VirtualForceResult dragged = drag_skin(slab.face, slab.target_of(truth), {}, no_progress);
-  EXPECT_DOUBLE_EQ(dragged.equilibrium.load_reached, 1);
-  const Vec3 found = dragged.motions[0].translation;
-  std::printf("virtual-force finds (%.2f %.2f %.2f) for (2 -5 3)\n", found.x(), found.y(),
-              found.z());
-  EXPECT_GT(found.dot(truth.translation), 0); // eq. 8 with its direction turned round
-  EXPECT_LT(found.norm(), truth.translation.norm());
 }
 
 TEST(RigidMotion, EulerAnglesRoundTripAndMatrixAgreesWithApply)
