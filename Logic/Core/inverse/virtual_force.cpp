@@ -43,6 +43,10 @@ void require_in_range(const VirtualForceOptions& options)
           options.residual_mm, "give mm above zero");
   require(options.rest_length_mm >= 0 && std::isfinite(options.rest_length_mm), "rest length",
           options.rest_length_mm, "give zero or more mm");
+  require(options.stiffness_n_per_mm3 || options.load == VirtualLoad::Dead ||
+              options.residual_mm > options.rest_length_mm,
+          "residual", options.residual_mm,
+          "give more than the rest length, at which the springs hold the skin off its target");
 }
 
 /// One run of the method: the loaded skin, and the equilibria found so far.

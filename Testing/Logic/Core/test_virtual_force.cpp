@@ -261,6 +261,7 @@ TEST(VirtualForce, TheRestFaceAsTargetGivesNoMovement)
           options.stiffness_n_per_mm3 = 0.02;
         options.load = load;
         options.rest_length_mm = rest_length;
+        options.residual_mm = 3;
         const VirtualForceResult still = drag(slab, slab.uniform_target(Vec3::Zero()), options);
         EXPECT_LT(still.motions[0].translation.norm(), 1e-12);
         EXPECT_LT((still.motions[0].rotation - Mat3::Identity()).norm(), 1e-12);
@@ -324,6 +325,13 @@ TEST(VirtualForce, SaysWhatItCannotWorkWith)
         drag(slab, slab.uniform_target({0, 0, 5}), options);
       },
       {"virtual-force: residual: it is -1"});
+  options.residual_mm = 0.5;
+  options.rest_length_mm = 0.5;
+  expect_error(
+      [&] {
+        drag(slab, slab.uniform_target({0, 0, 5}), options);
+      },
+      {"virtual-force: residual: it is 0.5", "more than the rest length"});
   MixedMesh bare = slab.mesh;
   for (auto& boundary : bare.node_boundary)
     boundary = boundary == Boundary::Fragment ? Boundary::Free : boundary;
