@@ -169,6 +169,20 @@ TargetSettings target_from(const json& value, const Path& source)
   return target;
 }
 
+VirtualForceSettings virtual_force_from(const json& value)
+{
+  VirtualForceSettings v;
+  if (value.contains("stiffness_n_per_mm3") && value["stiffness_n_per_mm3"].is_string())
+    v.stiffness_n_per_mm3.reset(); // auto
+  else
+    take(value, "stiffness_n_per_mm3", v.stiffness_n_per_mm3);
+  take(value, "residual_mm", v.residual_mm);
+  take(value, "rest_length_mm", v.rest_length_mm);
+  take(value, "load", v.load);
+  take(value, "landmarks", v.landmarks);
+  return v;
+}
+
 void read_groups(const json& document, CaseSettings& s)
 {
   const json none = json::object();
@@ -188,7 +202,7 @@ void read_groups(const json& document, CaseSettings& s)
   take(solver, "max_newton_iterations", s.max_newton_iterations);
   take(solver, "max_fit_iterations", s.max_fit_iterations);
   take(solver, "step_tolerance_mm", s.step_tolerance_mm);
-  take(solver, "virtual_force_stiffness_n_per_mm3", s.virtual_force_stiffness);
+  s.virtual_force = virtual_force_from(solver.value("virtual_force", none));
   take(solver, "predict_model", s.predict_model);
 }
 
@@ -207,6 +221,10 @@ void check_together(const CaseSettings& s, const Path& source)
                   "give a file of Slicer fiducials");
   }
   require_distinct_fragments(named, source.string());
+  if (!s.virtual_force.landmarks.empty() && s.landmarks.empty())
+    throw Error(source.string(),
+                "'/solver/virtual_force/landmarks' names landmarks, and '/landmarks' is absent",
+                "give a file of Slicer fiducials");
   if (s.region_ras && !(s.region_ras->min.array() < s.region_ras->max.array()).all())
     throw Error(source.string(), "'/region_ras' has a min that is not below its max on every axis",
                 "exchange the coordinates of that axis");

@@ -48,6 +48,15 @@ struct TargetSettings
   double mask_mm = 0;
 };
 
+/// The paper's own method.
+struct VirtualForceSettings
+{
+  std::optional<double> stiffness_n_per_mm3 = 0.02; ///< without it: chosen for `residual_mm`
+  double residual_mm = 0.5, rest_length_mm = 0;
+  std::string load = "following"; ///< or dead
+  std::vector<std::string> landmarks;
+};
+
 struct CaseSettings
 {
   std::string name;
@@ -62,7 +71,8 @@ struct CaseSettings
   double mesh_density = 1, release_margin_mm = 5, contact_tolerance_mm = 2;
   int threads = 0;
   int max_newton_iterations = 25, max_fit_iterations = 40;
-  double step_tolerance_mm = 1e-8, virtual_force_stiffness = 0.02;
+  double step_tolerance_mm = 1e-8;
+  VirtualForceSettings virtual_force;
   std::string predict_model = "nfm-em";
   Movements predict;
 };

@@ -7,11 +7,11 @@
 #include "Case/plan_intervals.hpp"
 #include "Case/plan_target.hpp"
 #include "Case/verbs.hpp"
+#include "Case/virtual_force_case.hpp"
 #include "Core/error.hpp"
 #include "Core/geometry/bone_overlap.hpp"
 #include "Core/inverse/rigid_fit.hpp"
 #include "Core/inverse/skin_error.hpp"
-#include "Core/inverse/virtual_force.hpp"
 #include "Core/mesh/tissue_stretch.hpp"
 
 #include <cmath>
@@ -27,6 +27,9 @@ namespace
 using nlohmann::json;
 
 constexpr double degree = 3.14159265358979323846 / 180;
+
+/// Vectors per mesh node, by name [mm].
+using NodeArrays = std::vector<std::pair<std::string, std::vector<Vec3>>>;
 
 double peak_memory_mb()
 {
@@ -81,6 +84,9 @@ public:
     m_regions = face_regions(
         read_scalar_grid(session.folder.require("closed_bone_distance.nrrd", "segment")),
         m_bone_parts, m_face.reference_skin.points);
+    m_pull = virtual_force_options(session);
+    // before the first solve, rather than after it
+    (void)ContactSurfaces(m_face.mesh, m_face.reference_points, m_pull.landmarks);
   }
 
   void rigid_fit();
@@ -96,8 +102,10 @@ private:
   json stability(const std::string& method, const std::vector<Vec3>& x);
   void warn_of_overlap(const std::string& method, const std::string& fragment,
                        const BoneOverlap& overlap);
+  /// \param node_arrays  to be kept with the displaced mesh
   void write(const std::string& method, const std::vector<RigidMotion>& motions,
-             const std::vector<Vec3>& x, const std::vector<Vec3>& skin_displacement);
+             const std::vector<Vec3>& x, const std::vector<Vec3>& skin_displacement,
+             NodeArrays node_arrays = {});
 
   CaseSession& m_session;
   LoadedFace m_face;
@@ -106,6 +114,7 @@ private:
   ScalarGrid m_bone;
   LabelGrid m_bone_parts;
   CaseChange m_change;
+  VirtualForceOptions m_pull;
   json m_methods = json::object();
   json m_seconds = json::object();
   json m_warnings = json::array();
@@ -173,7 +182,8 @@ json Planning::stability(const std::string& method, const std::vector<Vec3>& x)
 }
 
 void Planning::write(const std::string& method, const std::vector<RigidMotion>& motions,
-                     const std::vector<Vec3>& x, const std::vector<Vec3>& skin_displacement)
+                     const std::vector<Vec3>& x, const std::vector<Vec3>& skin_displacement,
+                     NodeArrays node_arrays)
 {
   const auto predicted = displaced_skin(m_face, skin_displacement);
   // where the face was not meshed nothing is known
@@ -183,8 +193,8 @@ void Planning::write(const std::string& method, const std::vector<RigidMotion>& 
       distance[v] = std::nan("");
   add_point_array(predicted, "signed_distance_mm", distance);
   write_surface(m_change.file("predicted_" + method + ".vtp"), predicted);
-  write_mesh(m_change.file("plan_" + method + ".vtu"), m_face.mesh,
-             {{"displacement", node_displacements(m_face.mesh, x)}});
+  node_arrays.emplace_back("displacement", node_displacements(m_face.mesh, x));
+  write_mesh(m_change.file("plan_" + method + ".vtu"), m_face.mesh, node_arrays);
   for (std::size_t f = 0; f < motions.size(); ++f)
   {
     const std::string& fragment = m_face.mesh.fragments[f];
@@ -290,30 +300,30 @@ void Planning::rigid_fit()
 void Planning::virtual_force()
 {
   const Stopwatch watch;
-  VirtualForceOptions options;
-  options.stiffness_n_per_mm3 = m_session.settings.virtual_force_stiffness;
-  options.equilibrium = equilibrium_options(m_session.settings);
   const VirtualForceResult dragged =
-      drag_skin(m_face.model(), m_target.skin(), options, m_session.progress);
-  if (dragged.equilibrium.load_reached < 1)
-    m_warnings.push_back("virtual-force: the skin could be pulled only " +
-                         std::to_string(std::lround(100 * dragged.equilibrium.load_reached)) +
-                         " % of the way to the target");
+      drag_skin(m_face.model(), m_target.skin(), m_pull, m_session.progress);
+  for (const std::string& warning : dragged.warnings(m_pull))
+    m_warnings.push_back("virtual-force: " + warning);
   const Prediction again =
-      predict_face(m_face.model(), dragged.motions, options.equilibrium, m_session.progress);
+      predict_face(m_face.model(), dragged.motions, m_pull.equilibrium, m_session.progress);
   if (!again.summary.converged())
     m_warnings.push_back("virtual-force: the face could be predicted only for " +
                          std::to_string(std::lround(100 * again.summary.load_reached)) +
                          " % of the movement that it found");
-  m_methods["virtual-force"] = {{"fragments", fragments("virtual-force", dragged.motions)},
-                                {"skin_error_mm", errors(again.skin_displacement)},
-                                {"load_residual_mm", errors(dragged.skin_displacement)},
-                                {"tissue_stretch", stretch(again.x)},
-                                {"stability", stability("virtual-force", again.x)},
-                                {"stiffness_n_per_mm3", options.stiffness_n_per_mm3},
-                                {"equilibrium", to_json(dragged.equilibrium)},
-                                {"prediction", to_json(again.summary)}};
-  write("virtual-force", dragged.motions, again.x, again.skin_displacement);
+  m_methods["virtual-force"] = {
+      {"fragments",
+       with_registrations(fragments("virtual-force", dragged.motions), dragged.registrations)},
+      {"skin_error_mm", errors(again.skin_displacement)},
+      {"load_residual_mm", errors(dragged.skin_displacement)},
+      {"tissue_stretch", stretch(again.x)},
+      {"stability", stability("virtual-force", again.x)},
+      {"force", force_json(m_pull, dragged)},
+      {"equilibrium", to_json(dragged.equilibrium)},
+      {"prediction", to_json(again.summary)}};
+  // the distance map of Fig. 9, beside the tissue's displacement that it belongs to
+  write("virtual-force", dragged.motions, again.x, again.skin_displacement,
+        {{"dragged_displacement", node_displacements(m_face.mesh, dragged.x)},
+         {"registration_misfit", registration_misfit(m_face.mesh, dragged.motions, dragged.x)}});
   m_seconds["virtual_force"] = watch.seconds();
 }
 

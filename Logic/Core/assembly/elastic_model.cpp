@@ -1,20 +1,24 @@
 #include "Core/assembly/elastic_model.hpp"
 
 #include <limits>
+#include <numeric>
 
 namespace f2b
 {
 namespace
 {
 
-/// Control vectors that a spring pulls, one per column; the columns after them are zero.
-Eigen::Matrix<double, 3, SkinSpring::most> pulled(const SkinSpring& spring, const int* controls,
-                                                  const std::vector<Vec3>& x)
+/// How far the control vectors that a spring pulls are from rest.
+SkinSpring::Controls pulled(const SkinSpring& spring, const int* controls,
+                            const std::vector<Vec3>& rest, const std::vector<Vec3>& x)
 {
-  Eigen::Matrix<double, 3, SkinSpring::most> p = Eigen::Matrix<double, 3, SkinSpring::most>::Zero();
+  SkinSpring::Controls u = SkinSpring::Controls::Zero();
   for (int i = 0; i < spring.count; ++i)
-    p.col(i) = x[static_cast<std::size_t>(controls[i])];
-  return p;
+  {
+    const auto control = static_cast<std::size_t>(controls[i]);
+    u.col(i) = x[control] - rest[control];
+  }
+  return u;
 }
 
 std::vector<char> used_controls(const ElementGroups& groups, std::size_t count)
@@ -34,7 +38,7 @@ std::vector<char> used_controls(const ElementGroups& groups, std::size_t count)
 
 ElasticModel::ElasticModel(const Discretization& tissue, const MaterialSet& materials,
                            const std::vector<char>& prescribed)
-    : m_materials(materials), m_groups(tissue, materials)
+    : m_materials(materials), m_rest(tissue.rest()), m_groups(tissue, materials)
 {
   number_unknowns(prescribed);
   m_gather = Gather(m_groups.element_cliques(), m_groups.patch_cliques(), m_unknown_of_control,
@@ -58,21 +62,24 @@ void ElasticModel::number_unknowns(const std::vector<char>& prescribed)
     }
 }
 
-void ElasticModel::set_springs(std::vector<SkinSpring> springs, double stiffness)
+void ElasticModel::set_springs(std::vector<SkinSpring> springs, const VirtualForceLaw& law)
 {
   m_springs = std::move(springs);
-  m_spring_stiffness = stiffness;
+  m_spring_law = law;
 }
 
-/// Calls visit(spring, element group of its prism, element).
+/// Calls visit(index of a spring, the element group of its prism) in parallel: a prism has one
+/// spring at most.
 template <class Visit>
 void ElasticModel::for_each_spring(const Visit& visit) const
 {
+  const auto count = static_cast<long>(m_springs.size());
   m_groups.for_each_of_prisms(
       [&](const auto& group)
       {
-        for (const SkinSpring& spring : m_springs)
-          visit(spring, group, static_cast<long>(spring.prism));
+#pragma omp parallel for schedule(static)
+        for (long s = 0; s < count; ++s)
+          visit(static_cast<std::size_t>(s), group);
       });
 }
 
@@ -94,40 +101,42 @@ double ElasticModel::energy(const std::vector<Vec3>& x) const
 
 double ElasticModel::spring_energy(const std::vector<Vec3>& x) const
 {
-  double total = 0;
+  std::vector<double> parts(m_springs.size(), 0.0);
   for_each_spring(
-      [&](const SkinSpring& spring, const auto& group, long e)
+      [&](std::size_t s, const auto& group)
       {
-        const auto p = pulled(spring, group.controls_of(e).data(), x);
-        total += 0.5 * m_spring_stiffness *
-                 ((p * spring.mass).cwiseProduct(p).sum() - 2 * p.cwiseProduct(spring.pull).sum() +
-                  spring.offset);
+        const SkinSpring& spring = m_springs[s];
+        const int* controls = group.controls_of(spring.prism).data();
+        parts[s] = spring.energy(m_spring_law, pulled(spring, controls, m_rest, x));
       });
-  return total;
+  return std::accumulate(parts.begin(), parts.end(), 0.0);
 }
 
 void ElasticModel::add_spring_forces(const std::vector<Vec3>& x, std::vector<double>& slots) const
 {
   for_each_spring(
-      [&](const SkinSpring& spring, const auto& group, long e)
+      [&](std::size_t s, const auto& group)
       {
-        const auto p = pulled(spring, group.controls_of(e).data(), x);
-        const auto f = (m_spring_stiffness * (p * spring.mass - spring.pull)).eval();
+        const SkinSpring& spring = m_springs[s];
+        const int* controls = group.controls_of(spring.prism).data();
+        const auto f = spring.gradient(m_spring_law, pulled(spring, controls, m_rest, x));
+        double* slot = &slots[3 * group.slot(spring.prism)];
         for (int i = 0; i < spring.count; ++i)
-          Eigen::Map<Vec3>(&slots[3 * (group.slot(e) + static_cast<std::size_t>(i))]) += f.col(i);
+          Eigen::Map<Vec3>(slot + 3L * i) += f.col(i);
       });
 }
 
-void ElasticModel::add_spring_stiffness()
+void ElasticModel::add_spring_stiffness(const std::vector<Vec3>& x, Tangent tangent)
 {
   for_each_spring(
-      [&](const SkinSpring& spring, const auto& group, long e)
+      [&](std::size_t s, const auto& group)
       {
-        double* blocks = &m_blocks[9 * group.block(e)];
-        for (int b = 0; b < spring.count; ++b)
-          for (int a = b; a < spring.count; ++a)
-            Eigen::Map<Mat3>(blocks + 9 * block_index(group.corners, a, b)).diagonal().array() +=
-                m_spring_stiffness * spring.mass(a, b);
+        const SkinSpring& spring = m_springs[s];
+        const int* controls = group.controls_of(spring.prism).data();
+        double* blocks = &m_blocks[9 * group.block(spring.prism)];
+        spring.add_hessian(m_spring_law, pulled(spring, controls, m_rest, x), tangent,
+                           [&](int a, int b)
+                           { return blocks + 9L * block_index(group.corners, a, b); });
       });
 }
 
@@ -156,7 +165,7 @@ Eigen::VectorXd ElasticModel::linearize(const std::vector<Vec3>& x, Tangent tang
                                                          tangent, x, slots, m_blocks, m_patches);
       });
   add_spring_forces(x, slots);
-  add_spring_stiffness();
+  add_spring_stiffness(x, tangent);
   m_gather.stiffness(m_blocks, m_patches, m_stiffness);
   return m_gather.forces(slots);
 }

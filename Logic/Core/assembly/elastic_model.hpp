@@ -18,8 +18,9 @@ public:
   ElasticModel(const Discretization& tissue, const MaterialSet& materials,
                const std::vector<char>& prescribed);
 
-  /// Adds springs of stiffness K_e [N/mm^3] to energy, forces and stiffness.
-  void set_springs(std::vector<SkinSpring> springs, double stiffness);
+  /// Adds the virtual external force to energy, forces and stiffness.
+  /// \param springs  one per prism at most
+  void set_springs(std::vector<SkinSpring> springs, const VirtualForceLaw& law);
 
   long unknown_count() const { return 3 * static_cast<long>(m_unknown_controls.size()); }
   /// Unknown control vectors, ascending; unknown 3 i + a is component a of control
@@ -57,7 +58,7 @@ private:
   template <class Visit>
   void for_each_spring(const Visit& visit) const;
   void add_spring_forces(const std::vector<Vec3>& x, std::vector<double>& slots) const;
-  void add_spring_stiffness();
+  void add_spring_stiffness(const std::vector<Vec3>& x, Tangent tangent);
   bool moves(int control, const std::vector<Vec3>& motion) const;
   void add_element_coupling(const int* controls, int count, const double* blocks,
                             const std::vector<Vec3>& motion, Eigen::VectorXd& forces) const;
@@ -65,9 +66,10 @@ private:
   double spring_energy(const std::vector<Vec3>& x) const;
 
   const MaterialSet& m_materials;
+  const std::vector<Vec3>& m_rest; ///< control vectors
   ElementGroups m_groups;
   std::vector<SkinSpring> m_springs;
-  double m_spring_stiffness = 0;
+  VirtualForceLaw m_spring_law;
 
   std::vector<int> m_unknown_controls;
   std::vector<int> m_unknown_of_control; ///< -1: prescribed

@@ -67,6 +67,9 @@ public:
   /// model's springs have changed.
   [[nodiscard]] EquilibriumSummary relax(std::vector<Vec3>& x);
 
+  /// For the solves from now on: rough ones on the way to an exact one.
+  void set_step_tolerance(double mm) { m_options.step_tolerance_mm = mm; }
+
   /// Motions of the unknowns that follow small motions of what is prescribed, at an equilibrium
   /// `x`, by its exact tangent. Each motion has one vector per control vector [mm].
   /// \param tolerance  relative, of the solves

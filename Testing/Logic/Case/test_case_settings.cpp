@@ -70,6 +70,7 @@ TEST(CaseSettings, EveryKeyIsTaken)
       {"name", "A"},
       {"notes", "for people"},
       {"ct", "/data/dicom"},
+      {"landmarks", "/data/points.mrk.json"},
       {"thresholds", {{"skin_hu", -300}, {"bone_hu", 220.5}}},
       {"region_ras", {{"min", {-70, 0, -90}}, {"max", {70, 110, 40}}}},
       {"segmentation", {{"spacing_mm", 0.8}, {"head_closing_mm", 4}, {"bone_closing_mm", 7}}},
@@ -87,11 +88,17 @@ TEST(CaseSettings, EveryKeyIsTaken)
         {"max_newton_iterations", 30},
         {"step_tolerance_mm", 1e-7},
         {"max_fit_iterations", 20},
-        {"virtual_force_stiffness_n_per_mm3", 0.05}}},
+        {"virtual_force",
+         {{"stiffness_n_per_mm3", 0.05},
+          {"residual_mm", 0.3},
+          {"load", "dead"},
+          {"rest_length_mm", 1.5},
+          {"landmarks", {"A", "B", "C"}}}}}},
       {"predict", {{"chin", movement}}}};
   const CaseSettings s = parse_settings(document, source);
   EXPECT_EQ(s.name, "A");
   EXPECT_EQ(s.ct, "/data/dicom");
+  EXPECT_EQ(s.landmarks, "/data/points.mrk.json");
   EXPECT_EQ(*s.skin_threshold_hu, -300);
   EXPECT_EQ(*s.bone_threshold_hu, 220.5);
   EXPECT_EQ(s.region_ras->max, Vec3(70, 110, 40));
@@ -113,8 +120,29 @@ TEST(CaseSettings, EveryKeyIsTaken)
   EXPECT_EQ(s.max_newton_iterations, 30);
   EXPECT_EQ(s.step_tolerance_mm, 1e-7);
   EXPECT_EQ(s.max_fit_iterations, 20);
-  EXPECT_EQ(s.virtual_force_stiffness, 0.05);
+  EXPECT_EQ(s.virtual_force.stiffness_n_per_mm3, 0.05);
+  EXPECT_EQ(s.virtual_force.residual_mm, 0.3);
+  EXPECT_EQ(s.virtual_force.load, "dead");
+  EXPECT_EQ(s.virtual_force.rest_length_mm, 1.5);
+  EXPECT_EQ(s.virtual_force.landmarks, (std::vector<std::string>{"A", "B", "C"}));
   EXPECT_EQ(s.predict.count("chin"), 1u);
+}
+
+TEST(CaseSettings, VirtualForceTakesANumberOrAuto)
+{
+  const char* key = "/solver/virtual_force/stiffness_n_per_mm3";
+  EXPECT_EQ(parse_settings(good_document(), source).virtual_force.stiffness_n_per_mm3, 0.02);
+  EXPECT_FALSE(parse_settings(with(key, "auto"), source).virtual_force.stiffness_n_per_mm3);
+  refused(with(key, "automatic"), {key, "automatic", "or auto"});
+  refused(with(key, 0), {key, "above 0"});
+  refused(with("/solver/virtual_force/load", "live"), {"following", "dead"});
+  refused(with("/solver/virtual_force/landmarks", {"A", "B"}), {"landmarks", "minItems 3"});
+  refused(with("/solver/virtual_force_stiffness_n_per_mm3", 0.02), {"virtual_force"});
+  nlohmann::json document = with("/solver/virtual_force/landmarks", {"A", "B", "C"});
+  document.erase("landmarks");
+  document["osteotomies"] = {
+      {{"fragment", "chin"}, {"planes", {"a.mrk.json"}}, {"fragment_point_ras", {1, 2, 3}}}};
+  refused(document, {"/solver/virtual_force/landmarks", "'/landmarks' is absent"});
 }
 
 TEST(CaseSettings, WarpIsTaken)

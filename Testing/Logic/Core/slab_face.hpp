@@ -13,46 +13,65 @@ namespace f2b::testing
 
 constexpr double degree = 3.14159265358979323846 / 180;
 
-/// Positions of the reference skin's vertices at rest.
-inline std::vector<Vec3> skin_places(const Discretization& tissue, const SkinInterpolation& skin)
-{
-  std::vector<Vec3> places;
-  for (const SkinWeights& w : skin.vertices)
-  {
-    Vec3 place = Vec3::Zero();
-    for (std::size_t i = 0; i < std::size_t(w.count); ++i)
-      place += w.weight[i] * tissue.rest()[std::size_t(w.control[i])];
-    places.push_back(place);
-  }
-  return places;
-}
-
-/// A slab as a face that is planned; its reference skin is its own skin.
+/// A slab as a face that is planned: its own skin is the reference skin.
 struct Slab
 {
-  explicit Slab(SlabOptions options = {8, 2, 80, 14, 1.5, 4, 0.5})
-      : mesh(make_slab(options)), materials(soft_material()), tissue(mesh),
-        skin(tissue, corner_map(mesh)), face{tissue, materials, skin,
-                                             std::vector<double>(skin.vertices.size(), 1.0),
-                                             options.fragments == 2
-                                                 ? std::vector<Vec3>{{-12, 0, 0}, {12, 0, 0}}
-                                                 : std::vector<Vec3>{{0, 0, 0}}}
+  explicit Slab(SlabOptions options = {8, 2, 80, 14, 1.5, 4, 0.5}, ElementScheme scheme = {})
+      : Slab(make_slab(options), scheme)
   {
   }
+  explicit Slab(MixedMesh slab_mesh, ElementScheme scheme = {})
+      : mesh(std::move(slab_mesh)), materials(soft_material()), tissue(mesh, scheme),
+        skin(tissue, corner_map(mesh)), face{tissue, materials, skin,
+                                             std::vector<double>(skin.vertices.size(), 1.0),
+                                             references(mesh)}
+  {
+  }
+  Slab(const Slab&) = delete;
+  Slab& operator=(const Slab&) = delete;
+
   SkinTarget target_of(const std::vector<RigidMotion>& motions) const
   {
     Prediction p = predict_face(face, motions, {}, no_progress);
     EXPECT_TRUE(p.summary.converged());
     return {p.skin_displacement, weights(), {}};
   }
+  SkinTarget target_of(const RigidMotion& motion) const { return target_of(std::vector{motion}); }
+  /// The same displacement everywhere.
+  SkinTarget uniform_target(const Vec3& displacement, double weight = 1) const
+  {
+    const std::size_t n = skin.vertices.size();
+    return {std::vector<Vec3>(n, displacement), std::vector<double>(n, weight), {}};
+  }
   std::vector<double> weights() const { return std::vector<double>(skin.vertices.size(), 1.0); }
-  /// Of the reference skin at rest.
-  std::vector<Vec3> positions() const { return skin_places(tissue, skin); }
+  /// Of the reference skin's vertices at rest.
+  std::vector<Vec3> positions() const
+  {
+    std::vector<Vec3> places;
+    for (const SkinWeights& w : skin.vertices)
+    {
+      Vec3 place = Vec3::Zero();
+      for (std::size_t i = 0; i < std::size_t(w.count); ++i)
+        place += w.weight[i] * tissue.rest()[std::size_t(w.control[i])];
+      places.push_back(place);
+    }
+    return places;
+  }
+
   MixedMesh mesh;
   MaterialSet materials;
   Discretization tissue;
   SkinInterpolation skin;
   FaceModel face;
+
+private:
+  /// The middle of each fragment's half.
+  static std::vector<Vec3> references(const MixedMesh& mesh)
+  {
+    if (mesh.fragments.size() == 2)
+      return {{-12, 0, 0}, {12, 0, 0}};
+    return std::vector<Vec3>(mesh.fragments.size(), Vec3::Zero());
+  }
 };
 
 /// Like the paper's Table 2, smaller, turned so that the slab's face is in front.

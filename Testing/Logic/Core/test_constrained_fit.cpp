@@ -98,7 +98,7 @@ TEST(ConstrainedFit, AHingedFragmentFindsItsAngle)
 TEST(ConstrainedFit, ABoundHoldsAndTheRestIsTheBestWithinIt)
 {
   const Slab slab;
-  const SkinTarget target = slab.target_of({table_2_motion()});
+  const SkinTarget target = slab.target_of(table_2_motion());
   RigidFitOptions options;
   options.rules.resize(1);
   options.rules[0].coordinates[4].least = -3; // the truth is -5
@@ -141,7 +141,7 @@ TEST(ConstrainedFit, BoundsWithoutTheRestPositionAreKept)
 TEST(ConstrainedFit, APriorPullsTowardsItsValue)
 {
   const Slab slab;
-  const SkinTarget target = slab.target_of({table_2_motion()});
+  const SkinTarget target = slab.target_of(table_2_motion());
   RigidFitOptions options;
   options.rules.resize(1);
   options.rules[0].coordinates[4].expected = -1;
@@ -231,7 +231,7 @@ TEST(ConstrainedFit, AScanWithoutCorrespondenceGivesTheMovement)
 {
   const Slab slab;
   const RigidMotion truth = table_2_motion();
-  const SkinTarget moved = slab.target_of({truth});
+  const SkinTarget moved = slab.target_of(truth);
   Scan scan{slab.positions(), slab.positions()};
   for (std::size_t v = 0; v < scan.corners.size(); ++v)
     scan.corners[v] += moved.displacement[v];
@@ -284,7 +284,7 @@ TEST(ConstrainedFit, SensitivitiesAreDerivativesOfTheFace)
 TEST(ConstrainedFit, TurningTheWholeCaseTurnsThePlan)
 {
   const Slab slab;
-  SkinTarget target = slab.target_of({table_2_motion()});
+  SkinTarget target = slab.target_of(table_2_motion());
   std::mt19937 generator(4);
   std::normal_distribution<double> noise(0, 0.5); // so that no plan reaches it
   for (Vec3& d : target.displacement)

@@ -16,7 +16,7 @@ std::vector<SkinSpring> test_springs(const Discretization& tissue)
 {
   const SkinInterpolation skin(tissue, corner_map(tissue.mesh()));
   const std::size_t n = skin.vertices.size();
-  return make_skin_springs(tissue, skin, std::vector<Vec3>(n, Vec3(1, 2, 3)),
+  return make_skin_springs(skin, std::vector<Vec3>(n, Vec3(1, 2, 3)),
                            std::vector<double>(n, 0.7));
 }
 
@@ -50,7 +50,7 @@ TEST_P(EveryElement, ForcesAndStiffnessAreDerivatives)
     materials.laws.fill(law.law);
     ElasticModel model(tissue, materials, held_controls(tissue, Held::BoneOnly));
     expect_derivatives(model, shaken(tissue.rest(), 0.2, 4));
-    model.set_springs(test_springs(tissue), 0.05);
+    model.set_springs(test_springs(tissue), {0.05});
     expect_derivatives(model, shaken(tissue.rest(), 0.2, 5));
   }
 }

@@ -27,7 +27,7 @@ std::vector<Vec3> scaled(std::vector<Vec3> field, double factor)
 TEST(LiveOperator, GivesTheFullPlanWhereItWasLinearised)
 {
   const Slab slab;
-  const SkinTarget target = slab.target_of({table_2_motion()});
+  const SkinTarget target = slab.target_of(table_2_motion());
   const RigidFitResult plan = fit_fragments(slab.face, target, {}, no_progress);
   const LiveOperator live(slab.face, {}, plan, no_progress);
   const LiveOperator::Answer answer = live.update(target.displacement);
@@ -39,7 +39,7 @@ TEST(LiveOperator, GivesTheFullPlanWhereItWasLinearised)
 TEST(LiveOperator, ItsErrorIsSecondOrderAndItsDoubtIsAboutThat)
 {
   const Slab slab;
-  const SkinTarget target = slab.target_of({table_2_motion()});
+  const SkinTarget target = slab.target_of(table_2_motion());
   const RigidFitResult plan = fit_fragments(slab.face, target, {}, no_progress);
   const LiveOperator live(slab.face, {}, plan, no_progress);
   double before = 0;
@@ -69,7 +69,7 @@ TEST(LiveOperator, FromRestItFindsSmallMovements)
   truth.translation = {0.2, -0.4, 0.3};
   truth.rotation = rotation_from({0.4 * degree, 0, 0});
   const LiveOperator live(slab.face, {}, no_progress);
-  const LiveOperator::Answer answer = live.update(slab.target_of({truth}).displacement);
+  const LiveOperator::Answer answer = live.update(slab.target_of(truth).displacement);
   EXPECT_LT((answer.motions[0].translation - truth.translation).norm(), 0.02);
   EXPECT_GT(answer.doubt_mm, 0);
   EXPECT_LT(answer.doubt_mm, 0.05);

@@ -23,7 +23,7 @@ UncertaintySources nothing_but()
 struct Planned
 {
   Slab slab;
-  SkinTarget target = slab.target_of({table_2_motion()});
+  SkinTarget target = slab.target_of(table_2_motion());
   RigidFitResult plan = fit_fragments(slab.face, target, {}, no_progress);
 
   std::vector<CoordinateUncertainty> spread(const UncertaintySources& sources) const

@@ -101,10 +101,10 @@ TEST(SmoothModel, ForcesAndStiffnessAreDerivativesWithSprings)
     for (std::size_t p = 0; p < mesh.prisms.size(); ++p)
       map.places.push_back({int(p), Vec3(0.2, 0.5, 0.3)});
     const SkinInterpolation skin(tissue, map);
-    model.set_springs(make_skin_springs(tissue, skin,
+    model.set_springs(make_skin_springs(skin,
                                         std::vector<Vec3>(map.places.size(), Vec3(1, 2, 3)),
                                         std::vector<double>(map.places.size(), 20)),
-                      0.05);
+                      {0.05});
     const std::vector<Vec3> x = shaken(tissue.rest(), 0.2, 4);
     const Eigen::VectorXd forces = model.linearize(x);
     Eigen::MatrixXd K = Eigen::MatrixXd::Zero(model.unknown_count(), model.unknown_count());
