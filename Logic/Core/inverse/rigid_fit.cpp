@@ -1,6 +1,7 @@
 #include "Core/inverse/rigid_fit.hpp"
 
 #include "Core/error.hpp"
+#include "Core/inverse/skin_sensitivity.hpp"
 
 #include <Eigen/Cholesky>
 
@@ -65,31 +66,9 @@ double Fit::objective(const std::vector<Vec3>& x) const
   return sum;
 }
 
-/// Rigid velocity fields of one fragment about its moved reference point: omega_x,y,z, then
-/// v_x,y,z.
-std::vector<Vec3> unit_motion(const MixedMesh& mesh, const std::vector<Vec3>& x, int fragment,
-                              const Vec3& center, int parameter)
-{
-  std::vector<Vec3> motion(x.size(), Vec3::Zero());
-  const Vec3 axis = Vec3::Unit(parameter % 3);
-  for (std::size_t n = 0; n < mesh.X.size(); ++n)
-    if (mesh.node_boundary[n] == Boundary::Fragment && mesh.node_fragment[n] == fragment)
-      motion[n] = parameter < 3 ? Vec3(axis.cross(x[n] - center)) : axis;
-  return motion;
-}
-
 void Fit::normal_equations(Eigen::MatrixXd& H, Eigen::VectorXd& g)
 {
-  std::vector<std::vector<Vec3>> motions;
-  for (std::size_t f = 0; f < m_motions.size(); ++f)
-    for (int p = 0; p < 6; ++p)
-      motions.push_back(unit_motion(m_face.tissue.mesh(), m_x, static_cast<int>(f),
-                                    m_motions[f].reference_point + m_motions[f].translation, p));
-  const auto responses = m_solver.respond(m_x, motions);
-  // the skin's first-order change, by the linearity of the map from nodes to the reference skin
-  std::vector<std::vector<Vec3>> columns;
-  for (const auto& response : responses)
-    columns.push_back(m_face.skin.of_change(response));
+  const auto columns = skin_sensitivity(m_face, m_solver, m_x, m_motions);
   const std::vector<Vec3> u = m_face.skin.displacement(m_x);
   const auto n = static_cast<Eigen::Index>(columns.size());
   H = Eigen::MatrixXd::Zero(n, n);
