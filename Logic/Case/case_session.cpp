@@ -75,8 +75,7 @@ Vec3 vec3_from(const json& value)
 
 MeshedFace::MeshedFace(const CaseSession& session, MixedMesh meshed)
     : skin(read_surface(session.folder.require("skin.vtp", "segment"))),
-      reference_skin(to_triangle_mesh(skin)),
-      mesh(std::move(meshed)),
+      reference_skin(to_triangle_mesh(skin)), mesh(std::move(meshed)),
       materials(read_materials(session.settings.materials)), tissue(mesh, mixed_elements),
       map(map_skin(mesh, reference_skin.points)), interpolation(tissue, map),
       skin_area(vertex_areas(reference_skin))

@@ -69,7 +69,7 @@ TEST_P(TemplateCuts, FreeTheirBoneOfARealHead)
 }
 
 INSTANTIATE_TEST_SUITE_P(RealHeads, TemplateCuts, ::testing::ValuesIn(real_heads),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& head) { return std::string(head.param.name); });
 
 } // namespace
 } // namespace f2b
