@@ -15,8 +15,8 @@ struct TrialSeconds
   double mesh = 0, cut = 0, contact = 0, response = 0;
 };
 
-/// A case's face, on a mesh of its own, that is cut in one way after another: the tissue stays, only
-/// what it hangs on changes.
+/// A case's face, on a mesh of its own, that is cut in one way after another: the tissue stays,
+/// only what it hangs on changes.
 class CutTrials
 {
 public:

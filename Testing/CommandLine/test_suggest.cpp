@@ -13,7 +13,8 @@ namespace
 using nlohmann::json;
 namespace fs = std::filesystem;
 
-/// The coarse case with all of the chin, meshed with two other cuts; made once, copied for each test.
+/// The coarse case with all of the chin, meshed with two other cuts; made once, copied for each
+/// test.
 const Path& meshed_case()
 {
   static const Path folder = []
