@@ -105,21 +105,23 @@ std::vector<std::string> files_below(const Path& folder)
 }
 
 /// The steps whose results are stale once a step has been done anew. The target is drawn on the
-/// reference skin, so it outlives new cuts and meshes.
+/// reference skin, so it outlives new cuts and meshes; suggested cuts rest on the target alone.
 const std::vector<std::string>& outdated_by(const std::string& step)
 {
   static const std::map<std::string, std::vector<std::string>> table = {
       {"sample", {"sample"}},
       {"segment",
-       {"segment", "cut", "mesh", "target", "plan", "predict", "report", "export calculix",
-        "export febio", "export vtu"}},
+       {"segment", "cut", "mesh", "target", "suggest", "plan", "predict", "report",
+        "export calculix", "export febio", "export vtu"}},
       {"cut",
        {"cut", "mesh", "plan", "predict", "report", "export calculix", "export febio",
         "export vtu"}},
       {"mesh",
        {"mesh", "plan", "predict", "report", "export calculix", "export febio", "export vtu"}},
       {"target",
-       {"target", "plan", "predict", "report", "export calculix", "export febio", "export vtu"}},
+       {"target", "suggest", "plan", "predict", "report", "export calculix", "export febio",
+        "export vtu"}},
+      {"suggest", {"suggest", "report"}},
       {"plan", {"plan", "predict", "report", "export calculix", "export febio", "export vtu"}},
       {"predict", {"predict", "report"}},
       {"export calculix", {"export calculix"}},
@@ -262,6 +264,7 @@ const std::vector<std::string>& case_file_names()
                                                  "target.json",
                                                  "target.vtp",
                                                  "target_scan.vtp",
+                                                 "suggest.json",
                                                  "plan.json",
                                                  "predict.json",
                                                  "predicted.vtp",

@@ -17,6 +17,7 @@ using Path = std::filesystem::path;
 /// - cut: cut.json cuts.mrk.json bone_parts.nrrd uncut_bone.vtp fragment_NAME.vtp
 /// - mesh: mesh.json mesh.vtu
 /// - target: target.json target.vtp target_scan.vtp
+/// - suggest: suggest.json
 /// - plan: plan.json plan_METHOD.vtu predicted_METHOD.vtp NAME_METHOD.{tfm,h5,vtp}
 /// - predict: predict.json predicted.vtp predicted.vtu NAME_moved.vtp
 /// - export: export.inp export.feb export.vtu, each a step of its own

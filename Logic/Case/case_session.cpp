@@ -73,10 +73,9 @@ Vec3 vec3_from(const json& value)
   return {value.at(0).get<double>(), value.at(1).get<double>(), value.at(2).get<double>()};
 }
 
-LoadedFace::LoadedFace(const CaseSession& session)
+MeshedFace::MeshedFace(const CaseSession& session, MixedMesh meshed)
     : skin(read_surface(session.folder.require("skin.vtp", "segment"))),
-      reference_skin(to_triangle_mesh(skin)),
-      mesh(read_mesh(session.folder.require("mesh.vtu", "mesh"))),
+      reference_skin(to_triangle_mesh(skin)), mesh(std::move(meshed)),
       materials(read_materials(session.settings.materials)), tissue(mesh, mixed_elements),
       map(map_skin(mesh, reference_skin.points)), interpolation(tissue, map),
       skin_area(vertex_areas(reference_skin))
@@ -84,6 +83,11 @@ LoadedFace::LoadedFace(const CaseSession& session)
   for (std::size_t v = 0; v < skin_area.size(); ++v)
     if (interpolation.vertices[v].prism < 0)
       skin_area[v] = 0;
+}
+
+LoadedFace::LoadedFace(const CaseSession& session)
+    : MeshedFace(session, read_mesh(session.folder.require("mesh.vtu", "mesh")))
+{
   const json cut = read_json(session.folder.require("cut.json", "cut"));
   for (const json& fragment : cut.at("fragments"))
     reference_points.push_back(vec3_from(fragment.at("reference_point_ras")));

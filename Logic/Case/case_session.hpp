@@ -52,12 +52,12 @@ private:
 
 nlohmann::json to_json(const Vec3& v);
 Vec3 vec3_from(const nlohmann::json& value);
-/// Reference skin, mesh and laws of a meshed case, ready to be solved.
-struct LoadedFace
+/// Reference skin, mesh and laws of a case, ready to be solved.
+struct MeshedFace
 {
-  explicit LoadedFace(const CaseSession& session);
-  LoadedFace(const LoadedFace&) = delete;
-  LoadedFace& operator=(const LoadedFace&) = delete;
+  MeshedFace(const CaseSession& session, MixedMesh mesh);
+  MeshedFace(const MeshedFace&) = delete;
+  MeshedFace& operator=(const MeshedFace&) = delete;
 
   FaceModel model() const
   {
@@ -66,13 +66,19 @@ struct LoadedFace
 
   vtkSmartPointer<vtkPolyData> skin;
   TriangleMesh reference_skin;
-  MixedMesh mesh;
+  MixedMesh mesh; ///< its boundary parts may be changed, its geometry not
   MaterialSet materials;
   Discretization tissue;
   SkinMap map;
   SkinInterpolation interpolation;
   std::vector<double> skin_area; ///< 0 where a vertex has no finite-element skin near it
   std::vector<Vec3> reference_points;
+};
+
+/// The same as `cut` and `mesh` left it.
+struct LoadedFace : MeshedFace
+{
+  explicit LoadedFace(const CaseSession& session);
 };
 
 EquilibriumOptions equilibrium_options(const CaseSettings& settings);

@@ -1,6 +1,7 @@
 #include "Bridge/grid_file.hpp"
 #include "Bridge/json_file.hpp"
 #include "Bridge/markups.hpp"
+#include "Case/bone_part_surface.hpp"
 #include "Case/verbs.hpp"
 #include "Core/mesh/contact.hpp"
 #include "Meshing/isosurface.hpp"
@@ -32,15 +33,6 @@ Osteotomy osteotomy_from(const OsteotomySettings& o, const Landmarks& landmarks)
   return osteotomy;
 }
 
-vtkSmartPointer<vtkPolyData> part_surface(const ScalarGrid& bone, const BonePartition& partition,
-                                          unsigned char label)
-{
-  SurfaceOptions options;
-  options.smoothing_iterations =
-      0; // cut faces stay flat, and fragments fit to the bone that they came from
-  return watertight_isosurface(part_field(bone, partition, label), 0, options);
-}
-
 } // namespace
 
 void cut_case(CaseSession& session)
@@ -68,7 +60,7 @@ void cut_case(CaseSession& session)
     session.progress("cutting the bone",
                      0.3 + 0.5 * static_cast<double>(f) / static_cast<double>(osteotomies.size()));
     const auto label = static_cast<unsigned char>(BonePartition::first_fragment + f);
-    const auto surface = part_surface(bone, partition, label);
+    const auto surface = bone_part_surface(bone, partition, label);
     const SurfaceCheck check = check_surface(surface);
     const Osteotomy& o = osteotomies[f];
     write_surface(change.file("fragment_" + file_part(o.fragment) + ".vtp"), surface);
@@ -81,7 +73,8 @@ void cut_case(CaseSession& session)
                          {"volume_mm3", check.volume_mm3},
                          {"open_edges", check.open_edges}});
   }
-  write_surface(change.file("uncut_bone.vtp"), part_surface(bone, partition, BonePartition::uncut));
+  write_surface(change.file("uncut_bone.vtp"),
+                bone_part_surface(bone, partition, BonePartition::uncut));
   write_planes(change.file("cuts.mrk.json"), planes);
   write_grid(change.file("bone_parts.nrrd"), partition.labels);
   write_json(change.file("cut.json"), {{"seconds", watch.seconds()}, {"fragments", fragments}});

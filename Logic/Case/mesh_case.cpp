@@ -1,11 +1,9 @@
-#include "Bridge/grid_file.hpp"
 #include "Bridge/json_file.hpp"
 #include "Bridge/markups.hpp"
 #include "Bridge/mesh_file.hpp"
+#include "Case/shell_of_case.hpp"
 #include "Case/verbs.hpp"
-#include "Core/error.hpp"
 #include "Core/mesh/contact.hpp"
-#include "Meshing/shell_mesh.hpp"
 
 namespace f2b
 {
@@ -32,17 +30,6 @@ std::vector<Osteotomy> placed_osteotomies(const CaseFolder& folder)
     osteotomies.push_back(std::move(o));
   }
   return osteotomies;
-}
-
-ShellMeshOptions mesh_options(const CaseSession& session)
-{
-  const json region = read_json(session.folder.require("segment.json", "segment")).at("region_ras");
-  ShellMeshOptions options;
-  options.region = {vec3_from(region.at("min")), vec3_from(region.at("max"))};
-  options.zeta = session.settings.skin_thickness_mm;
-  options.density = session.settings.mesh_density;
-  options.contact_tolerance_mm = session.settings.contact_tolerance_mm;
-  return options;
 }
 
 json fidelity_json(const DistanceFigures& d)
@@ -76,37 +63,18 @@ json report_json(const ShellMeshReport& r, const ContactReport& contact)
           {"remarks", remarks}};
 }
 
-/// A mesh with inverted elements would give forces without meaning.
-void require_usable(const ShellMeshReport& r)
-{
-  if (r.quality.inverted_elements > 0 || r.quality.unmatched_inner_faces > 0)
-    throw Error("mesh",
-                std::to_string(r.quality.inverted_elements) + " elements are inverted and " +
-                    std::to_string(r.quality.unmatched_inner_faces) +
-                    " prisms stand on no tetrahedron",
-                "try another mesh.density, a smaller skin_thickness_mm, or look at the skin in "
-                "skin.vtp for sharp clefts",
-                ErrorKind::Numerical);
-}
-
 } // namespace
 
 void mesh_case(CaseSession& session)
 {
   const Stopwatch watch;
   const CaseFolder& folder = session.folder;
-  const ScalarGrid skin = read_scalar_grid(folder.require("skin_distance.nrrd", "segment"));
-  const ScalarGrid bone = read_scalar_grid(folder.require("bone_distance.nrrd", "segment"));
-  const ScalarGrid closed =
-      read_scalar_grid(folder.require("closed_bone_distance.nrrd", "segment"));
-  const ScalarGrid hu = read_scalar_grid(folder.require("ct.nrrd", "segment"));
+  const ShellInputs inputs(folder);
   const std::vector<Osteotomy> osteotomies = placed_osteotomies(folder);
 
-  ShellMesh shell =
-      build_shell_mesh({skin, closed, bone, hu}, mesh_options(session), session.progress);
-  require_usable(shell.report);
+  ShellMesh shell = mesh_shell(session, inputs, session.settings.mesh_density, session.progress);
   session.progress("finding what the tissue hangs on", 0.95);
-  const BonePartition partition = cut_bone(bone, closed, osteotomies);
+  const BonePartition partition = cut_bone(inputs.bone, inputs.closed_bone, osteotomies);
   const ContactReport contact =
       assign_contacts(shell.mesh, partition, session.settings.release_margin_mm);
 

@@ -153,6 +153,36 @@ std::vector<ReportFact> mesh_facts(const json& mesh)
                                        number(skin.at("max"), 2) + " mm"}};
 }
 
+std::string joined(const json& words, const char* between)
+{
+  std::string text;
+  for (const json& word : words)
+    text += (text.empty() ? "" : between) + word.get<std::string>();
+  return text;
+}
+
+void add_suggestions(ReportContent& content, const json& suggested)
+{
+  for (const json& s : suggested.at("suggestions"))
+  {
+    ReportSuggestion line;
+    line.cuts = joined(s.at("cuts"), " + ");
+    line.reached = number(100 * s.at("reached").get<double>(), 0) + " %";
+    line.rms_left = number(s.at("rms_left_mm"), 2) + " mm";
+    for (const json& f : s.at("fragments"))
+      line.movement += (line.movement.empty() ? "" : ". ") + f.at("name").get<std::string>() +
+                       ": " + f.at("movement").get<std::string>();
+    content.suggestions.push_back(std::move(line));
+  }
+  content.suggestions_note =
+      "To first order about rest, of a target of " + number(suggested.at("target_rms_mm"), 2) +
+      " mm RMS. One more cut must reach " +
+      number(100 * suggested.at("criterion").at("cost_of_cut").get<double>(), 0) +
+      " % more to rank higher.";
+  for (const json& n : suggested.at("not_possible"))
+    content.suggestions_note += " Not possible: " + joined(n.at("cuts"), " + ") + ".";
+}
+
 std::vector<std::string> warnings(const CaseSession& session, const json& plan)
 {
   std::vector<std::string> list = plan.at("warnings").get<std::vector<std::string>>();
@@ -185,6 +215,8 @@ void report_case(CaseSession& session)
   content.frame_note = "Right, anterior and superior are the scanner's axes.";
   content.facts = case_facts(session, plan);
   content.methods = report_methods(plan);
+  if (folder.has("suggest.json"))
+    add_suggestions(content, read_json(folder.file("suggest.json")));
   content.mesh_facts = mesh_facts(read_json(folder.require("mesh.json", "mesh")));
   for (const char* step : {"segment", "cut", "mesh", "target", "plan", "total"})
     content.timings.push_back({step, number(plan.at("timing_s").at(step), 1) + " s"});

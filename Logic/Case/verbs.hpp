@@ -16,6 +16,14 @@ void cut_case(CaseSession& session);
 void mesh_case(CaseSession& session);
 /// The face that the patient should have, on the reference skin.
 void target_case(CaseSession& session);
+struct SuggestOptions
+{
+  std::optional<double> density; ///< of its own mesh; else the case's, but 0.3 at most
+  bool confirm = false;          ///< also fits the best two fully
+};
+/// Ranks the osteotomy templates, alone and in pairs, by what they reach of the target;
+/// suggest.json. Needs no cut and no mesh of the case.
+void suggest_case(CaseSession& session, const SuggestOptions& options);
 /// Movements of the fragments by both methods, and the faces that they give; plan.json.
 void plan_case(CaseSession& session);
 /// The face that stated movements give.

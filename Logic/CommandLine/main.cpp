@@ -4,6 +4,7 @@
 #include "CommandLine/plan_table.hpp"
 #include "CommandLine/progress_bar.hpp"
 #include "CommandLine/stated_movement.hpp"
+#include "CommandLine/suggestion_table.hpp"
 #include "Core/error.hpp"
 
 #include <CLI/CLI.hpp>
@@ -38,6 +39,7 @@ struct Arguments
   SampleOptions sample;
   FitMaterialOptions fit;
   ExportOptions exported;
+  SuggestOptions suggested;
 };
 
 using Action = std::function<void(const Arguments&, const Progress&)>;
@@ -237,6 +239,22 @@ void add_export(CLI::App& app, Arguments& a, std::map<CLI::App*, Action>& action
   actions[verb] = export_deck;
 }
 
+void add_suggest(CLI::App& app, Arguments& a, std::map<CLI::App*, Action>& actions)
+{
+  CLI::App* verb =
+      add_verb(app, a, "suggest", "Rank the usual cuts by what they reach of the target");
+  verb->add_flag("--confirm", a.suggested.confirm,
+                 "Also plan the best two fully, not only to first order");
+  verb->add_option("--density", a.suggested.density,
+                   "Of the mesh it is computed on [the case's mesh.density, but 0.3 at most]")
+      ->check(within(0.02, 8));
+  actions[verb] = [](const Arguments& args, const Progress& progress)
+  {
+    CaseSession session = CaseSession::open(args.folder, progress);
+    suggest_case(session, args.suggested);
+  };
+}
+
 Action on_case(void (*verb)(CaseSession&))
 {
   return [verb](const Arguments& a, const Progress& progress)
@@ -269,6 +287,7 @@ std::map<CLI::App*, Action> add_verbs(CLI::App& app, Arguments& a)
   target_verb->add_option("--warp-radius", a.warp_radius_mm, "No effect farther than this [mm]")
       ->capture_default_str();
   actions[target_verb] = target;
+  add_suggest(app, a, actions);
   actions[add_verb(app, a, "plan", "Find the bone movements that give the target face")] =
       on_case(plan_case);
   CLI::App* predict_verb =
@@ -312,6 +331,8 @@ int perform(const std::string& verb, const Action& action, const Arguments& a)
     }
     if (verb == "run" || verb == "plan")
       print_plan(a.folder);
+    if (verb == "suggest")
+      std::cout << suggestion_table(read_json(Path(a.folder) / "suggest.json"));
     if (verb == "predict")
       print_prediction(a.folder);
     return ok;

@@ -194,6 +194,25 @@ std::string skin_errors(const std::vector<ReportMethod>& methods)
   return html + "<p class=\"note\">" + html_escaped(report_texts::error_definition) + "</p>\n";
 }
 
+std::string suggestions(const ReportContent& content)
+{
+  if (content.suggestions.empty())
+  {
+    return {};
+  }
+  std::string html = element("h2", "Which cuts reach this target") + "<table><thead><tr>" +
+                     column_heading("Cuts") + column_heading("Reached", true) +
+                     column_heading("RMS left", true) + column_heading("Movement") +
+                     "</tr></thead><tbody>\n";
+  for (const ReportSuggestion& s : content.suggestions)
+  {
+    html += "<tr>" + row_heading(s.cuts) + number_cell(s.reached) + number_cell(s.rms_left) +
+            cell(s.movement) + "</tr>\n";
+  }
+  return html + "</tbody></table>\n<p class=\"note\">" + html_escaped(content.suggestions_note) +
+         "</p>\n";
+}
+
 std::string pictures(const std::vector<ReportPicture>& all)
 {
   std::string html = all.empty() ? "" : element("h2", "Pictures");
@@ -234,7 +253,7 @@ std::string html_report(const ReportContent& content)
     html += list("warning", "Warnings", content.warnings);
   }
   html += content.methods.empty() ? "" : movements(content) + skin_errors(content.methods);
-  html += pictures(content.pictures);
+  html += suggestions(content) + pictures(content.pictures);
   html += fact_table("The case", content.facts) + fact_table("The mesh", content.mesh_facts) +
           fact_table("Times", content.timings);
   html += list("box", "Limitations",

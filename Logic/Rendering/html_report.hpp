@@ -46,6 +46,15 @@ struct ReportMethod
   std::optional<double> load_residual_mm; ///< virtual-force only
 };
 
+/// One line of the ranking of cuts: all of it as text.
+struct ReportSuggestion
+{
+  std::string cuts;     ///< "le-fort-1 + genioplasty"
+  std::string reached;  ///< "93 %"
+  std::string rms_left; ///< "0.42 mm"
+  std::string movement; ///< of every fragment, in words
+};
+
 struct ReportPicture
 {
   std::string title;
@@ -59,7 +68,9 @@ struct ReportContent
   std::string case_name;
   std::string frame_note;        ///< which axes R, A, S are: scanner, or Frankfort and mid-sagittal
   std::vector<ReportFact> facts; ///< CT, cuts, target, materials, solver, versions
-  std::vector<ReportMethod> methods; ///< the default first
+  std::vector<ReportMethod> methods;         ///< the default first
+  std::vector<ReportSuggestion> suggestions; ///< best first; empty: none were asked for
+  std::string suggestions_note;              ///< what decided, and what was not possible
   std::vector<ReportFact> mesh_facts;
   std::vector<ReportFact> timings;
   std::vector<std::string> warnings;

@@ -9,8 +9,8 @@ namespace f2b::test
 namespace
 {
 
-const char* const verbs[] = {"sample", "run",     "segment", "cut",    "mesh",        "target",
-                             "plan",   "predict", "export",  "report", "fit-material"};
+const char* const verbs[] = {"sample", "run",     "segment", "cut",    "mesh",         "target",
+                             "plan",   "predict", "export",  "report", "fit-material", "suggest"};
 
 TEST(Usage, HelpTellsEveryVerbAndTheFirstCommand)
 {

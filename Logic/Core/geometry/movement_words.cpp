@@ -83,4 +83,29 @@ std::string translation_phrase(const Vec3& translation_ras_mm)
   return phrase.empty() ? "no translation" : phrase;
 }
 
+std::string rotation_phrase(const RotationDegrees& rotation_deg)
+{
+  struct Part
+  {
+    double degrees;
+    const char* plane;
+  };
+  const std::array<Part, 3> parts{{{rotation_deg.roll, "coronal"},
+                                   {rotation_deg.pitch, "sagittal"},
+                                   {rotation_deg.yaw, "axial"}}};
+  std::string phrase;
+  for (const Part& part : parts)
+  {
+    if (std::abs(part.degrees) < 0.05)
+    {
+      continue;
+    }
+    phrase += phrase.empty() ? "" : ", ";
+    phrase += fixed(std::abs(part.degrees), 1) + " degrees ";
+    phrase += part.degrees > 0 ? "counter-clockwise (" : "clockwise (";
+    phrase += std::string(part.plane) + ")";
+  }
+  return phrase.empty() ? "no rotation" : phrase;
+}
+
 } // namespace f2b

@@ -54,4 +54,8 @@ std::vector<MovementRow> describe_movement(const Vec3& translation_ras_mm,
 /// when every part is below 0.05 mm.
 std::string translation_phrase(const Vec3& translation_ras_mm);
 
+/// The rotation in one phrase: "2.5 degrees clockwise (coronal), 5.0 degrees counter-clockwise
+/// (sagittal)"; "no rotation" when every angle is below 0.05 degrees.
+std::string rotation_phrase(const RotationDegrees& rotation_deg);
+
 } // namespace f2b

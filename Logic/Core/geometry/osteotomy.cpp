@@ -251,15 +251,18 @@ void Flood::collect_cuts()
                         if (next < voxel || m_label[next] == BonePartition::no_bone)
                           return;
                         const Label a = m_label[voxel], b = m_label[next];
-                        const BoundedPlane* plane = blocking(p, position(next), at);
-                        if (plane && is_bone(voxel) && is_bone(next))
-                        {
-                          ++sides[plane].hits;
-                          sides[plane].through_fragment +=
-                              a == b && a >= BonePartition::first_fragment;
-                        }
+                        // planes of two osteotomies may lie in one another, as between the jaws
+                        if (is_bone(voxel) && is_bone(next))
+                          for (const BoundedPlane* plane : m_planes)
+                            if (plane->separates(p, position(next), at))
+                            {
+                              ++sides[plane].hits;
+                              sides[plane].through_fragment +=
+                                  a == b && a >= BonePartition::first_fragment;
+                            }
                         if (a == b)
                           return;
+                        const BoundedPlane* plane = blocking(p, position(next), at);
                         for (const Label label : {a, b})
                           if (label >= BonePartition::first_fragment)
                             m_result.cut_points[label - BonePartition::first_fragment].push_back(

@@ -64,6 +64,29 @@ double maxilla_width(const Face& face)
   return (face.at("U6_R") - face.at("U6_L")).norm() + 30;
 }
 
+/// Forwards along the palate, at right angles to the patient's right.
+Vec3 palate_forward(const Face& face)
+{
+  return across(face.at("ANS") - face.at("PNS"), face.right);
+}
+
+/// Between the tooth rows, the same for every template, so that both jaws can be cut together.
+struct Bite
+{
+  Vec3 front; ///< in front of the incisors: in the middle of an open bite's gap; where the teeth
+              ///< meet or overlap, just below the upper ones
+  Vec3 along; ///< forwards along the upper teeth's edges
+};
+
+Bite bite_of(const Face& face, const Vec3& forward)
+{
+  const Vec3 up = face.right.cross(forward);
+  const Vec3 molars = 0.5 * (face.at("U6_R") + face.at("U6_L"));
+  const double gap = face.has("L1") ? (face.at("U1") - face.at("L1")).dot(up) : 0;
+  return {face.at("U1") - std::clamp(0.5 * gap, 0.5, 3.0) * up + 12 * forward,
+          across(face.at("U1") - molars, face.right)};
+}
+
 /// The planes behind and below the maxilla that Le Fort I and III share.
 /// \param back_top  where the upper cut ends behind
 /// \param back_width_mm  of the plane behind
@@ -71,23 +94,19 @@ void part_maxilla_from_below(const Face& face, const Vec3& forward, const Vec3& 
                              double back_width_mm, Osteotomy& osteotomy)
 {
   const Vec3 up = face.right.cross(forward);
-  const Vec3 molars = 0.5 * (face.at("U6_R") + face.at("U6_L"));
-  // the middle of an open bite's gap; where the teeth meet or overlap, just below the upper ones
-  const double gap = face.has("L1") ? (face.at("U1") - face.at("L1")).dot(up) : 0;
-  const Vec3 bite_front = face.at("U1") - std::clamp(0.5 * gap, 0.5, 3.0) * up + 12 * forward;
-  const Vec3 along_bite = across(face.at("U1") - molars, face.right);
-  const double depth = (bite_front - back_top).dot(forward) / along_bite.dot(forward) + 3;
-  const Vec3 bite_back = bite_front - depth * along_bite;
+  const Bite bite = bite_of(face, forward);
+  const double depth = (bite.front - back_top).dot(forward) / bite.along.dot(forward) + 3;
+  const Vec3 bite_back = bite.front - depth * bite.along;
   osteotomy.planes.push_back(plane_between(osteotomy.fragment + " posterior", face.right,
                                            back_top + 3 * up, bite_back - 4 * up, back_width_mm));
-  osteotomy.planes.push_back(plane_between(osteotomy.fragment + " occlusal", face.right, bite_front,
+  osteotomy.planes.push_back(plane_between(osteotomy.fragment + " occlusal", face.right, bite.front,
                                            bite_back, maxilla_width(face)));
 }
 
 Osteotomy le_fort_1(const Face& face)
 {
   Osteotomy osteotomy;
-  const Vec3 forward = across(face.at("ANS") - face.at("PNS"), face.right);
+  const Vec3 forward = palate_forward(face);
   const Vec3 up = face.right.cross(forward);
   const Vec3 front = face.at("ANS") + 20 * forward + 5 * up;
   const Vec3 back = face.at("PNS") - 4 * forward + 5 * up;
@@ -102,7 +121,7 @@ Osteotomy le_fort_1(const Face& face)
 Osteotomy le_fort_3(const Face& face)
 {
   Osteotomy osteotomy;
-  const Vec3 forward = across(face.at("ANS") - face.at("PNS"), face.right);
+  const Vec3 forward = palate_forward(face);
   const Vec3 up = face.right.cross(forward);
   const Vec3 back = face.at("PNS") - 4 * forward + 18 * up;
   const Vec3 down_the_orbit = across(back - face.at("N"), face.right);
@@ -129,10 +148,59 @@ Osteotomy genioplasty(const Face& face)
   return osteotomy;
 }
 
+/// The vertical plane across one side of the mandible, behind its molars: from under the lower
+/// border to above the bite.
+BoundedPlane behind_molars(const Face& face, const std::string& side, const Bite& bite)
+{
+  const Vec3 up = face.right.cross(bite.along);
+  const Vec3& menton = face.at("Me");
+  const Vec3 body = face.at("Go_" + side) - menton;
+  // the lower second molar ends about 15 mm behind the upper first one's middle
+  const Vec3 behind = face.at("U6_" + side) - 15 * bite.along;
+  const double share =
+      std::clamp((behind - menton).dot(bite.along) / body.dot(bite.along), 0.55, 0.85);
+  const Vec3 border = menton + share * body;
+  const double top = (bite.front - border).dot(up) + 4, bottom = -15;
+  BoundedPlane plane;
+  plane.name = "mandible behind molars " + side;
+  plane.u = up;
+  plane.v = across(body, up).cross(up);
+  // the body bulges outwards from the line between menton and gonion
+  const Vec3 outwards = side == "R" ? face.right : Vec3(-face.right);
+  plane.center =
+      border + 0.5 * (top + bottom) * up + (plane.v.dot(outwards) > 0 ? 8 : -8) * plane.v;
+  plane.half_u = 0.5 * (top - bottom);
+  plane.half_v = 26;
+  return plane;
+}
+
+/// The sagittal split's overlapping halves are one plane a side: what moves is the same bone.
+Osteotomy bsso(const Face& face)
+{
+  Osteotomy osteotomy;
+  const Bite bite = bite_of(face, palate_forward(face));
+  const Vec3 gonion = 0.5 * (face.at("Go_R") + face.at("Go_L"));
+  osteotomy.fragment = "mandible";
+  for (const char* side : {"R", "L"})
+    osteotomy.planes.push_back(behind_molars(face, side, bite));
+  // Teeth that touch in the CT join the jaws. The plane runs on through both rami, so that it meets
+  // bone in an open bite too; their parts are all bone that stays.
+  const double depth = (bite.front - gonion).dot(bite.along) - 10;
+  const double width = (face.at("Go_R") - face.at("Go_L")).norm() + 30;
+  osteotomy.planes.push_back(plane_between("mandible occlusal", face.right, bite.front,
+                                           bite.front - depth * bite.along, width));
+  // above any cut of the chin
+  osteotomy.fragment_point = face.at("B") + 4 * face.right.cross(bite.along) - 3 * bite.along;
+  return osteotomy;
+}
+
 const std::map<std::string, std::function<Osteotomy(const Face&)>>& templates()
 {
   static const std::map<std::string, std::function<Osteotomy(const Face&)>> known = {
-      {"le-fort-1", le_fort_1}, {"le-fort-3", le_fort_3}, {"genioplasty", genioplasty}};
+      {"le-fort-1", le_fort_1},
+      {"le-fort-3", le_fort_3},
+      {"genioplasty", genioplasty},
+      {"bsso", bsso}};
   return known;
 }
 

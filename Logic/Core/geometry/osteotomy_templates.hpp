@@ -22,6 +22,9 @@ std::vector<std::string> osteotomy_template_names();
 ///   between the tooth rows. Needs N and the landmarks above.
 /// - `genioplasty`: from below B back to the lower border of the mandible. Needs Or_R, Or_L, B, Pg,
 ///   Me, Go_R, Go_L.
+/// - `bsso`: bilateral sagittal split, simplified to one vertical plane a side behind the molars
+///   and one between the tooth rows; frees the tooth-bearing mandible with the chin. Needs ANS,
+///   PNS, Or_R, Or_L, U1, U6_R, U6_L, B, Me, Go_R, Go_L; uses L1 if there.
 /// \param fragment  name of the freed fragment
 /// Throws Error naming the template or the landmark that is not there.
 Osteotomy osteotomy_from_template(const std::string& name, const std::string& fragment,

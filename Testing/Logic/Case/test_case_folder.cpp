@@ -45,8 +45,8 @@ void commit(CaseFolder& folder, const std::string& step, const Files& files)
 /// One file per step, named after it.
 void make_case(CaseFolder& folder)
 {
-  for (const char* step : {"segment", "cut", "mesh", "target", "plan", "predict", "report",
-                           "export calculix", "export febio", "export vtu"})
+  for (const char* step : {"segment", "cut", "mesh", "target", "suggest", "plan", "predict",
+                           "report", "export calculix", "export febio", "export vtu"})
     commit(folder, step, {{std::string(step) + ".txt", step}, {"case.json", step}});
 }
 
@@ -79,12 +79,14 @@ TEST(CaseFolder, StaleResultsGoAndOthersStay)
 {
   const std::map<std::string, std::vector<std::string>> stale = {
       {"segment",
-       {"cut", "mesh", "target", "plan", "predict", "report", "export calculix", "export febio",
-        "export vtu"}},
+       {"cut", "mesh", "target", "suggest", "plan", "predict", "report", "export calculix",
+        "export febio", "export vtu"}},
       {"cut",
        {"mesh", "plan", "predict", "report", "export calculix", "export febio", "export vtu"}},
       {"mesh", {"plan", "predict", "report", "export calculix", "export febio", "export vtu"}},
-      {"target", {"plan", "predict", "report", "export calculix", "export febio", "export vtu"}},
+      {"suggest", {"report"}},
+      {"target",
+       {"suggest", "plan", "predict", "report", "export calculix", "export febio", "export vtu"}},
       {"plan", {"predict", "report", "export calculix", "export febio", "export vtu"}},
       {"predict", {"report"}},
       {"export calculix", {}},

@@ -89,6 +89,10 @@ TEST(MovementWords, PhraseLeavesOutWhatIsNotMoved)
   EXPECT_EQ(translation_phrase({2, 11, -5}), "11.0 mm forward, 5.0 mm down, 2.0 mm right");
   EXPECT_EQ(translation_phrase({-0.3, 0.04, 0}), "0.3 mm left");
   EXPECT_EQ(translation_phrase(Vec3::Zero()), "no translation");
+  EXPECT_EQ(f2b::rotation_phrase({5, -2.5, 0.04}),
+            "2.5 degrees clockwise (coronal), 5.0 degrees counter-clockwise (sagittal)");
+  EXPECT_EQ(f2b::rotation_phrase({0, 0, -1}), "1.0 degrees clockwise (axial)");
+  EXPECT_EQ(f2b::rotation_phrase({}), "no rotation");
 }
 
 } // namespace

@@ -36,6 +36,8 @@ ReportContent make_content(const std::filesystem::path& folder)
   content.case_name = "<script>alert('x')</script> & \"O'Neil\" \xf0\x9f\x99\x82";
   content.facts = {{"CT", "head <1>.nrrd"}};
   content.methods = {fit, force};
+  content.suggestions = {{"le-fort-1 + <chin>", "93 %", "0.42 mm", "maxilla: 3.1 mm forward"}};
+  content.suggestions_note = "A cut more must reach 5 % & more.";
   content.mesh_facts = {{"Prisms", "9812"}};
   content.timings = {{"Total", "81 s"}};
   content.warnings = {"overlap of 1.2 mm"};
@@ -92,7 +94,9 @@ TEST_F(HtmlReport, HasEverySection)
 {
   for (const char* part :
        {"Movement of the bones", "What the face misses of the target", "Pictures", "The case",
-        "The mesh", "Times", "Warnings", "Limitations", "overlap of 1.2 mm", "9812", "81 s"})
+        "The mesh", "Times", "Which cuts reach this target", "le-fort-1 + &lt;chin&gt;",
+        "maxilla: 3.1 mm forward", "5 % &amp; more", "Warnings", "Limitations", "overlap of 1.2 mm",
+        "9812", "81 s"})
   {
     EXPECT_TRUE(contains(m_html, part)) << part;
   }
