@@ -53,7 +53,9 @@ json fragments_json(const std::vector<std::string>& names, const std::vector<Rig
 SkinTarget read_target(const CaseFolder& folder, std::size_t vertices)
 {
   const auto surface = read_surface(folder.require("target.vtp", "target"));
-  SkinTarget target{point_vectors(surface, "displacement"), point_scalars(surface, "weight")};
+  SkinTarget target;
+  target.displacement = point_vectors(surface, "displacement");
+  target.weight = point_scalars(surface, "weight");
   if (target.weight.size() != vertices)
     throw Error("target.vtp", "it does not belong to this reference skin",
                 "run 'facetobone target' again");

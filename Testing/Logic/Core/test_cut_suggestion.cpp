@@ -241,8 +241,8 @@ TEST(CutSuggestion, ATargetThatAsksForNothingIsRefused)
   const SkinTarget rest = face_of(upper, Movement::Zero());
   test::expect_error([&] { (void)reach_of(upper, rest, even_area()); },
                      {"target", "no change", "mask"});
-  const SkinTarget unweighted{face_of(upper, forward).displacement,
-                              std::vector<double>(face_points().size(), 0.0)};
+  SkinTarget unweighted = face_of(upper, forward);
+  unweighted.weight.assign(unweighted.weight.size(), 0);
   test::expect_error([&] { (void)reach_of(upper, unweighted, even_area()); }, {"no change"});
 }
 
