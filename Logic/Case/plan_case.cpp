@@ -3,6 +3,7 @@
 #include "Bridge/mesh_file.hpp"
 #include "Bridge/transform_file.hpp"
 #include "Case/face_regions.hpp"
+#include "Case/fragment_json.hpp"
 #include "Case/verbs.hpp"
 #include "Core/error.hpp"
 #include "Core/geometry/bone_overlap.hpp"
@@ -23,47 +24,11 @@ namespace
 
 using nlohmann::json;
 
-constexpr double degree = 3.14159265358979323846 / 180;
-
 double peak_memory_mb()
 {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   return static_cast<double>(usage.ru_maxrss) / 1024;
-}
-
-json error_json(const SkinError& e)
-{
-  return {{"mean", e.mean},
-          {"sd", e.sd},
-          {"variance", e.variance},
-          {"median", e.median},
-          {"p90", e.p90},
-          {"p95", e.p95},
-          {"max", e.max},
-          {"under_1mm", e.under_1mm},
-          {"under_2mm", e.under_2mm},
-          {"signed_mean", e.signed_mean},
-          {"area_mm2", e.area_mm2}};
-}
-
-json motion_json(const std::string& name, const RigidMotion& motion)
-{
-  const EulerAngles angles = euler_angles(motion.rotation);
-  const Mat4 m = motion.matrix();
-  json matrix = json::array();
-  for (int r = 0; r < 4; ++r)
-    for (int c = 0; c < 4; ++c)
-      matrix.push_back(m(r, c));
-  const Vec3& t = motion.translation;
-  return {{"name", name},
-          {"matrix_ras", matrix},
-          {"reference_point_ras", to_json(motion.reference_point)},
-          {"translation_mm", {{"right", t.x()}, {"anterior", t.y()}, {"superior", t.z()}}},
-          {"rotation_deg",
-           {{"pitch", angles.pitch / degree},
-            {"roll", angles.roll / degree},
-            {"yaw", angles.yaw / degree}}}};
 }
 
 /// One run of the verb: the face, its target, and what the two methods find.
