@@ -11,6 +11,9 @@
 #include "Imaging/read_ct.hpp"
 #include "Imaging/resample_ct.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace f2b
 {
 namespace
@@ -127,6 +130,7 @@ public:
         face_regions(read_scalar_grid(m_folder.require("closed_bone_distance.nrrd", "segment")),
                      partition.labels, rest.points)
             .over_fragment;
+    leave_out_walls(rest.points);
     for (const char* name : {"predicted_rigid-fit", "predicted_virtual-force"})
       leave_out_unknown(name);
   }
@@ -134,6 +138,8 @@ public:
   json compared(const PostoperativeFindings& findings) const;
 
 private:
+  /// Where the region ends, the reference skin closes through the head.
+  void leave_out_walls(const std::vector<Vec3>& rest);
   /// Vertices whose face nobody computed count in no face.
   void leave_out_unknown(const std::string& name);
   json errors(const PostoperativeFindings& findings, const std::vector<Vec3>& points) const;
@@ -142,6 +148,18 @@ private:
   std::vector<double> m_area;
   std::vector<char> m_over_fragment;
 };
+
+void FaceComparison::leave_out_walls(const std::vector<Vec3>& rest)
+{
+  constexpr double on_skin_mm = 0.5, from_wall_mm = 3;
+  const ScalarGrid skin = read_scalar_grid(m_folder.require("skin_distance.nrrd", "segment"));
+  const Vec3 first = skin.origin + Vec3::Constant(from_wall_mm);
+  const Vec3 last = lattice_of(skin).last() - Vec3::Constant(from_wall_mm);
+  for (std::size_t v = 0; v < rest.size(); ++v)
+    if (std::abs(skin.value(rest[v])) > on_skin_mm ||
+        !((rest[v].array() >= first.array()).all() && (rest[v].array() <= last.array()).all()))
+      m_area[v] = 0;
+}
 
 void FaceComparison::leave_out_unknown(const std::string& name)
 {

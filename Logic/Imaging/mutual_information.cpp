@@ -23,11 +23,32 @@ namespace
 /// long as it is the same one everywhere.
 using Volume = itk::Image<float, 3>;
 using Flags = itk::Image<unsigned char, 3>;
-using Metric = itk::MattesMutualInformationImageToImageMetricv4<Volume, Volume>;
+using Mattes = itk::MattesMutualInformationImageToImageMetricv4<Volume, Volume>;
 using Transform = itk::Euler3DTransform<double>;
 using FieldOfView = itk::ImageMaskSpatialObject<3>;
 using Vec6 = Eigen::Matrix<double, 6, 1>;
 using Mat6 = Eigen::Matrix<double, 6, 6>;
+
+/// The metric in one piece: several pieces would be summed in the order in which they are done, and
+/// ITK's own limit on their number bounds the threads only.
+class Metric : public Mattes
+{
+public:
+  using Pointer = itk::SmartPointer<Metric>;
+  static Pointer New()
+  {
+    Pointer metric = new Metric;
+    metric->UnRegister();
+    return metric;
+  }
+
+protected:
+  Metric()
+  {
+    m_SparseGetValueAndDerivativeThreader->SetNumberOfWorkUnits(1);
+    m_DenseGetValueAndDerivativeThreader->SetNumberOfWorkUnits(1);
+  }
+};
 
 // Metal, and whatever a scanner writes beyond its field of view, tell nothing.
 constexpr float least_hu = -1000, most_hu = 2000;
@@ -306,8 +327,6 @@ MutualInformation::Maximum MutualInformation::climb(const RigidMotion& start, do
   metric->SetNumberOfHistogramBins(static_cast<itk::SizeValueType>(m_bins));
   metric->SetUseMovingImageGradientFilter(false);
   metric->SetUseFixedImageGradientFilter(false);
-  // sums of several threads would depend on who is first
-  metric->SetMaximumNumberOfWorkUnits(1);
   const Volume::Pointer fixed = smoothed(m_images->fixed, sigma_mm);
   const Volume::Pointer moving = smoothed(m_images->moving, sigma_mm);
   metric->SetFixedImage(fixed);

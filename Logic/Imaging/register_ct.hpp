@@ -14,7 +14,7 @@
 ///    metric on fixed points of the unaltered region, three resolutions, regular-step descent.
 /// 3. The finest resolution again from disturbed starts: do they come back to the same place?
 ///
-/// The same result for any number of threads: the metric runs on one.
+/// The same result for any number of threads: the metric is summed in one piece.
 namespace f2b
 {
 

@@ -57,7 +57,7 @@ CaseSession cut_case_in(const Path& folder, const CaseFolder& from)
   std::filesystem::create_directories(folder);
   for (const char* name :
        {"case.json", "segment.json", "cut.json", "landmarks.mrk.json", "bone_parts.nrrd",
-        "bone_distance.nrrd", "closed_bone_distance.nrrd", "skin.vtp"})
+        "bone_distance.nrrd", "closed_bone_distance.nrrd", "skin_distance.nrrd", "skin.vtp"})
     if (from.has(name))
       std::filesystem::copy_file(from.file(name), folder / name,
                                  std::filesystem::copy_options::overwrite_existing);
