@@ -4,6 +4,7 @@
 #include "Bridge/material_file.hpp"
 #include "Bridge/mesh_file.hpp"
 #include "Bridge/skin_mapping.hpp"
+#include "Case/fragment_json.hpp"
 #include "Core/error.hpp"
 #include "Core/inverse/skin_error.hpp"
 #include "Core/solve/threads.hpp"
@@ -115,25 +116,6 @@ std::vector<RigidMotion> stated_motions(const Movements& movements, const Loaded
   }
   return motions;
 }
-
-namespace
-{
-
-RigidMotion motion_from(const json& fragment)
-{
-  RigidMotion motion;
-  motion.reference_point = vec3_from(fragment.at("reference_point_ras"));
-  const json& t = fragment.at("translation_mm");
-  motion.translation = {t.at("right").get<double>(), t.at("anterior").get<double>(),
-                        t.at("superior").get<double>()};
-  for (int r = 0; r < 3; ++r)
-    for (int c = 0; c < 3; ++c)
-      motion.rotation(r, c) =
-          fragment.at("matrix_ras").at(static_cast<std::size_t>(4 * r + c)).get<double>();
-  return motion;
-}
-
-} // namespace
 
 std::vector<RigidMotion> motions_to_predict(const CaseSession& session, const LoadedFace& face)
 {

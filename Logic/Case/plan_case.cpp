@@ -3,7 +3,7 @@
 #include "Bridge/mesh_file.hpp"
 #include "Bridge/transform_file.hpp"
 #include "Case/face_regions.hpp"
-#include "Case/motion_json.hpp"
+#include "Case/fragment_json.hpp"
 #include "Case/movement_rules.hpp"
 #include "Case/plan_intervals.hpp"
 #include "Case/plan_target.hpp"
@@ -37,21 +37,6 @@ double peak_memory_mb()
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   return static_cast<double>(usage.ru_maxrss) / 1024;
-}
-
-json error_json(const SkinError& e)
-{
-  return {{"mean", e.mean},
-          {"sd", e.sd},
-          {"variance", e.variance},
-          {"median", e.median},
-          {"p90", e.p90},
-          {"p95", e.p95},
-          {"max", e.max},
-          {"under_1mm", e.under_1mm},
-          {"under_2mm", e.under_2mm},
-          {"signed_mean", e.signed_mean},
-          {"area_mm2", e.area_mm2}};
 }
 
 /// One run of the verb: the face, its target, and what the two methods find.

@@ -1,6 +1,6 @@
 #include "Bridge/json_file.hpp"
 #include "Case/cut_trials.hpp"
-#include "Case/motion_json.hpp"
+#include "Case/fragment_json.hpp"
 #include "Case/verbs.hpp"
 #include "Core/error.hpp"
 #include "Core/geometry/movement_words.hpp"

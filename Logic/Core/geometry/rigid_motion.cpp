@@ -53,6 +53,15 @@ RigidMotion RigidMotion::followed_by(const Vec3& omega, const Vec3& v) const
   return result;
 }
 
+RigidMotion inverse(const RigidMotion& motion)
+{
+  RigidMotion back;
+  back.rotation = motion.rotation.transpose();
+  back.reference_point = motion.reference_point + motion.translation;
+  back.translation = -motion.translation;
+  return back;
+}
+
 RigidMotion register_rigidly(const std::vector<Vec3>& from, const std::vector<Vec3>& to,
                              const Vec3& reference_point)
 {

@@ -37,6 +37,9 @@ struct RigidMotion
   RigidMotion followed_by(const Vec3& omega, const Vec3& v) const;
 };
 
+/// The motion that undoes another one.
+RigidMotion inverse(const RigidMotion& motion);
+
 /// The rigid motion that best maps `from` to `to` in the least-squares sense (Kabsch 1976).
 /// \param from, to  at least three corresponding points, not on one line [mm]
 RigidMotion register_rigidly(const std::vector<Vec3>& from, const std::vector<Vec3>& to,
