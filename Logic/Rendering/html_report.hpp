@@ -46,6 +46,14 @@ struct ReportMethod
   std::optional<double> load_residual_mm; ///< virtual-force only
 };
 
+/// One region of the face, rigid-fit [mm].
+struct ReportRegion
+{
+  std::string name;
+  double error_mean = 0, error_p90 = 0;      ///< of the predicted skin against the target
+  std::optional<double> asked_p90, left_p90; ///< where the region has a target
+};
+
 struct ReportPicture
 {
   std::string title;
@@ -60,6 +68,10 @@ struct ReportContent
   std::string frame_note;        ///< which axes R, A, S are: scanner, or Frankfort and mid-sagittal
   std::vector<ReportFact> facts; ///< CT, cuts, target, materials, solver, versions
   std::vector<ReportMethod> methods; ///< the default first
+  std::vector<std::string> reach;    ///< sentences on what these cuts reach
+  std::vector<ReportRegion> regions;
+  std::vector<ReportFact> cuts; ///< overlap and gap along each cut after the movement
+  std::vector<ReportFact> bite; ///< before and after
   std::vector<ReportFact> mesh_facts;
   std::vector<ReportFact> timings;
   std::vector<std::string> warnings;
