@@ -97,6 +97,13 @@ std::string sentence(const Group& group, const std::vector<const RegionReach*>& 
   return text + ".";
 }
 
+/// A template's name, if this program has it.
+std::string if_known(const std::string& template_name)
+{
+  const std::vector<std::string> known = osteotomy_template_names();
+  return std::find(known.begin(), known.end(), template_name) != known.end() ? template_name : "";
+}
+
 std::string all_is_reached(const Reachability& reachability)
 {
   return "These cuts reach the whole target: 90 % of its skin lies within " +
@@ -132,7 +139,7 @@ CutForRegion cut_for(FaceRegion region)
   case FaceRegion::LowerLip:
   case FaceRegion::JawRight:
   case FaceRegion::JawLeft:
-    return {"the mandible", ""};
+    return {"the mandible", if_known("bsso")};
   case FaceRegion::Chin:
     return {"the chin", "genioplasty"};
   case FaceRegion::Neck:

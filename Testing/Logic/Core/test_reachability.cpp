@@ -119,7 +119,7 @@ TEST(ReachSentences, RegionsThatNeedTheSameAreToldTogether)
             "The right cheek target (4.0 mm) and the left cheek target (5.0 mm) are "
             "out of reach of these cuts: 3.0 mm and 4.0 mm are left there; this needs "
             "a cut of the mid-face (le-fort-3).");
-  EXPECT_TRUE(contains(sentences[0], "this needs a cut of the mandible.")) << sentences[0];
+  EXPECT_TRUE(contains(sentences[0], "this needs a cut of the mandible")) << sentences[0];
 }
 
 TEST(ReachSentences, OverAFragmentTheRestIsForTheSoftTissue)
