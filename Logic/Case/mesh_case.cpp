@@ -1,6 +1,6 @@
 #include "Bridge/json_file.hpp"
-#include "Bridge/markups.hpp"
 #include "Bridge/mesh_file.hpp"
+#include "Case/placed_osteotomies.hpp"
 #include "Case/shell_of_case.hpp"
 #include "Case/verbs.hpp"
 #include "Core/mesh/contact.hpp"
@@ -11,26 +11,6 @@ namespace
 {
 
 using nlohmann::json;
-
-/// The osteotomies as the verb cut placed them.
-std::vector<Osteotomy> placed_osteotomies(const CaseFolder& folder)
-{
-  const json cut = read_json(folder.require("cut.json", "cut"));
-  const std::vector<BoundedPlane> planes = read_planes(folder.require("cuts.mrk.json", "cut"));
-  std::vector<Osteotomy> osteotomies;
-  std::size_t next = 0;
-  for (const json& fragment : cut.at("fragments"))
-  {
-    Osteotomy o;
-    o.fragment = fragment.at("name").get<std::string>();
-    o.kerf_mm = fragment.at("kerf_mm").get<double>();
-    o.fragment_point = vec3_from(fragment.at("fragment_point_ras"));
-    for (auto count = fragment.at("planes").get<std::size_t>(); count > 0; --count)
-      o.planes.push_back(planes.at(next++));
-    osteotomies.push_back(std::move(o));
-  }
-  return osteotomies;
-}
 
 json fidelity_json(const DistanceFigures& d)
 {

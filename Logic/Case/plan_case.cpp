@@ -1,16 +1,15 @@
-#include "Bridge/grid_file.hpp"
 #include "Bridge/json_file.hpp"
 #include "Bridge/mesh_file.hpp"
 #include "Bridge/transform_file.hpp"
 #include "Case/face_regions.hpp"
 #include "Case/fragment_json.hpp"
 #include "Case/movement_rules.hpp"
+#include "Case/plan_findings.hpp"
 #include "Case/plan_intervals.hpp"
 #include "Case/plan_target.hpp"
 #include "Case/verbs.hpp"
 #include "Case/virtual_force_case.hpp"
 #include "Core/error.hpp"
-#include "Core/geometry/bone_overlap.hpp"
 #include "Core/inverse/rigid_fit.hpp"
 #include "Core/inverse/skin_error.hpp"
 #include "Core/mesh/tissue_stretch.hpp"
@@ -44,13 +43,10 @@ class Planning
 {
 public:
   explicit Planning(CaseSession& session)
-      : m_session(session), m_face(session), m_target(session, m_face), m_change(session.folder)
+      : m_session(session), m_face(session), m_target(session, m_face),
+        m_parts(skin_parts(session.folder, m_face)), m_bones(session.folder),
+        m_change(session.folder)
   {
-    m_bone = read_scalar_grid(session.folder.require("bone_distance.nrrd", "segment"));
-    m_bone_parts = read_label_grid(session.folder.require("bone_parts.nrrd", "cut"));
-    m_regions = face_regions(
-        read_scalar_grid(session.folder.require("closed_bone_distance.nrrd", "segment")),
-        m_bone_parts, m_face.reference_skin.points);
     m_pull = virtual_force_options(session);
     // before the first solve, rather than after it
     (void)ContactSurfaces(m_face.mesh, m_face.reference_points, m_pull.landmarks);
@@ -62,13 +58,15 @@ public:
 
 private:
   json errors(const std::vector<Vec3>& skin_displacement) const;
-  json fragments(const std::string& method, const std::vector<RigidMotion>& motions);
+  json errors_in(const std::vector<double>& distance, const std::vector<char>& part) const;
+  json fragments(const std::vector<RigidMotion>& motions,
+                 const std::vector<BoneMeeting>& meetings) const;
+  void move_bones(const std::string& method, const std::vector<RigidMotion>& motions);
   json stretch(const std::vector<Vec3>& x) const;
   json intervals(const RigidFitResult& fit, const RigidFitOptions& options);
   void warn_of_bounds(const RigidFitResult& fit, const RigidFitOptions& options);
   json stability(const std::string& method, const std::vector<Vec3>& x);
-  void warn_of_overlap(const std::string& method, const std::string& fragment,
-                       const BoneOverlap& overlap);
+  void examine_reach(const RigidFitResult& fit);
   /// \param node_arrays  to be kept with the displaced mesh
   void write(const std::string& method, const std::vector<RigidMotion>& motions,
              const std::vector<Vec3>& x, const std::vector<Vec3>& skin_displacement,
@@ -77,61 +75,89 @@ private:
   CaseSession& m_session;
   LoadedFace m_face;
   PlanTarget m_target;
-  FaceRegions m_regions;
-  ScalarGrid m_bone;
-  LabelGrid m_bone_parts;
+  SkinParts m_parts;
+  MovedBones m_bones;
+  std::vector<double> m_unreachable; ///< of rigid-fit, per reference-skin vertex [mm]
   CaseChange m_change;
   VirtualForceOptions m_pull;
   json m_methods = json::object();
   json m_seconds = json::object();
   json m_warnings = json::array();
+  json m_reachability, m_bite;
 };
 
-/// Over the whole face, and by the bone below it.
+json Planning::errors_in(const std::vector<double>& distance, const std::vector<char>& part) const
+{
+  std::vector<double> area = m_face.skin_area;
+  for (std::size_t v = 0; v < area.size(); ++v)
+    if (!part[v])
+      area[v] = 0;
+  return error_json(skin_error(distance, area));
+}
+
+/// Over the whole face, by the bone below it, and by its regions.
 json Planning::errors(const std::vector<Vec3>& skin_displacement) const
 {
   const std::vector<double> d = m_target.signed_distances(skin_displacement);
   json result = error_json(skin_error(d, m_face.skin_area));
+  std::vector<char> part(d.size());
   for (const bool cut : {true, false})
   {
-    std::vector<double> area = m_face.skin_area;
-    for (std::size_t v = 0; v < area.size(); ++v)
-      if (m_regions.over_fragment[v] != cut)
-        area[v] = 0;
-    result[cut ? "cut" : "outside_cut"] = error_json(skin_error(d, area));
+    for (std::size_t v = 0; v < part.size(); ++v)
+      part[v] = (m_parts.fragment_below[v] >= 0) == cut;
+    result[cut ? "cut" : "outside_cut"] = errors_in(d, part);
+  }
+  json& by_region = result["by_region"] = json::object();
+  for (const FaceRegion region : all_face_regions())
+  {
+    for (std::size_t v = 0; v < part.size(); ++v)
+      part[v] = m_parts.region[v] == region;
+    json error = errors_in(d, part);
+    if (error.at("area_mm2") > 0)
+      by_region[key_of(region)] = std::move(error);
   }
   return result;
 }
 
-/// Deeper than a voxel, so that touching surfaces raise no alarm.
-void Planning::warn_of_overlap(const std::string& method, const std::string& fragment,
-                               const BoneOverlap& overlap)
-{
-  if (overlap.depth_mm < m_bone.spacing)
-    return;
-  char text[200];
-  std::snprintf(text, sizeof text,
-                "%s: '%s' runs into bone that stays, %.1f mm deep and %.0f mm3 in all, deepest at "
-                "R %.0f, A %.0f, S %.0f",
-                method.c_str(), fragment.c_str(), overlap.depth_mm, overlap.volume_mm3,
-                overlap.deepest.x(), overlap.deepest.y(), overlap.deepest.z());
-  m_warnings.push_back(text);
-}
-
-json Planning::fragments(const std::string& method, const std::vector<RigidMotion>& motions)
+json Planning::fragments(const std::vector<RigidMotion>& motions,
+                         const std::vector<BoneMeeting>& meetings) const
 {
   json list = json::array();
   for (std::size_t f = 0; f < motions.size(); ++f)
   {
     const std::string& name = m_face.mesh.fragments[f];
-    const auto label = static_cast<unsigned char>(BonePartition::first_fragment + f);
-    const BoneOverlap overlap = overlap_with_uncut_bone(m_bone, m_bone_parts, label, motions[f]);
-    warn_of_overlap(method, name, overlap);
     list.push_back(motion_json(name, motions[f]));
-    list.back()["overlap_with_uncut_bone"] = {{"volume_mm3", overlap.volume_mm3},
-                                              {"depth_mm", overlap.depth_mm}};
+    for (const BoneMeeting& m : meetings)
+      if (m.part == name && m.other == uncut_bone_name)
+        list.back()["overlap_with_uncut_bone"] = {{"volume_mm3", m.overlap.volume_mm3},
+                                                  {"depth_mm", m.overlap.depth_mm}};
   }
   return list;
+}
+
+/// What a method's movement does to the bones and the bite.
+void Planning::move_bones(const std::string& method, const std::vector<RigidMotion>& motions)
+{
+  const std::vector<BoneMeeting> meetings = m_bones.meetings(motions);
+  m_methods[method]["fragments"] = fragments(motions, meetings);
+  m_methods[method]["bone_contacts"] = to_json(meetings);
+  for (const std::string& warning : warnings_of(meetings, m_bones.voxel_mm()))
+    m_warnings.push_back(method + ": " + warning);
+  if (m_bite.is_null())
+    m_bite = m_bones.bite_at_rest();
+  if (const json after = m_bones.bite_after(motions); !after.is_null())
+    m_bite[method] = after;
+}
+
+void Planning::examine_reach(const RigidFitResult& fit)
+{
+  const Reachability reach =
+      reachability(m_target.for_vertices(fit.skin_displacement), fit.skin_displacement, m_parts);
+  PlannedCuts planned{m_face.mesh.fragments, {}};
+  for (const OsteotomySettings& o : m_session.settings.osteotomies)
+    planned.templates.push_back(o.template_name);
+  m_reachability = to_json(reach, reach_sentences(reach, planned));
+  m_unreachable = reach.unreachable_mm;
 }
 
 json Planning::stretch(const std::vector<Vec3>& x) const
@@ -159,6 +185,8 @@ void Planning::write(const std::string& method, const std::vector<RigidMotion>& 
     if (m_face.skin_area[v] <= 0)
       distance[v] = std::nan("");
   add_point_array(predicted, "signed_distance_mm", distance);
+  if (method == "rigid-fit")
+    add_point_array(predicted, "unreachable_mm", m_unreachable);
   write_surface(m_change.file("predicted_" + method + ".vtp"), predicted);
   node_arrays.emplace_back("displacement", node_displacements(m_face.mesh, x));
   write_mesh(m_change.file("plan_" + method + ".vtu"), m_face.mesh, node_arrays);
@@ -252,14 +280,13 @@ void Planning::rigid_fit()
     iterations.push_back({{"objective", i.objective},
                           {"translation_mm", i.translation_mm},
                           {"rotation_rad", i.rotation_rad}});
-  m_methods["rigid-fit"] = {{"fragments", fragments("rigid-fit", fit.motions)},
-                            {"skin_error_mm", errors(fit.skin_displacement)},
-                            {"tissue_stretch", stretch(fit.x)},
-                            {"stability", stability("rigid-fit", fit.x)},
-                            {"intervals", intervals(fit, options)},
-                            {"termination", text_of(fit.termination)},
-                            {"iterations", iterations},
-                            {"equilibrium", to_json(fit.equilibrium)}};
+  m_methods["rigid-fit"] = {
+      {"skin_error_mm", errors(fit.skin_displacement)}, {"tissue_stretch", stretch(fit.x)},
+      {"stability", stability("rigid-fit", fit.x)},     {"intervals", intervals(fit, options)},
+      {"termination", text_of(fit.termination)},        {"iterations", iterations},
+      {"equilibrium", to_json(fit.equilibrium)}};
+  move_bones("rigid-fit", fit.motions);
+  examine_reach(fit);
   write("rigid-fit", fit.motions, fit.x, fit.skin_displacement);
   m_seconds["rigid_fit"] = watch.seconds() - m_seconds["intervals"].get<double>();
 }
@@ -277,16 +304,16 @@ void Planning::virtual_force()
     m_warnings.push_back("virtual-force: the face could be predicted only for " +
                          std::to_string(std::lround(100 * again.summary.load_reached)) +
                          " % of the movement that it found");
-  m_methods["virtual-force"] = {
-      {"fragments",
-       with_registrations(fragments("virtual-force", dragged.motions), dragged.registrations)},
-      {"skin_error_mm", errors(again.skin_displacement)},
-      {"load_residual_mm", errors(dragged.skin_displacement)},
-      {"tissue_stretch", stretch(again.x)},
-      {"stability", stability("virtual-force", again.x)},
-      {"force", force_json(m_pull, dragged)},
-      {"equilibrium", to_json(dragged.equilibrium)},
-      {"prediction", to_json(again.summary)}};
+  m_methods["virtual-force"] = {{"skin_error_mm", errors(again.skin_displacement)},
+                                {"load_residual_mm", errors(dragged.skin_displacement)},
+                                {"tissue_stretch", stretch(again.x)},
+                                {"stability", stability("virtual-force", again.x)},
+                                {"force", force_json(m_pull, dragged)},
+                                {"equilibrium", to_json(dragged.equilibrium)},
+                                {"prediction", to_json(again.summary)}};
+  move_bones("virtual-force", dragged.motions);
+  json& told = m_methods["virtual-force"]["fragments"];
+  told = with_registrations(told, dragged.registrations);
   // the distance map of Fig. 9, beside the tissue's displacement that it belongs to
   write("virtual-force", dragged.motions, again.x, again.skin_displacement,
         {{"dragged_displacement", node_displacements(m_face.mesh, dragged.x)},
@@ -302,6 +329,8 @@ void Planning::finish(double seconds)
                {"frame", "scanner RAS"},
                {"materials", m_face.materials.name},
                {"methods", m_methods},
+               {"reachability", m_reachability},
+               {"bite", m_bite},
                {"warnings", m_warnings},
                {"disclaimer", "research software, not a medical device"}};
   for (const char* key :

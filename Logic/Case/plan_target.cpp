@@ -18,7 +18,6 @@ PlanTarget::PlanTarget(const CaseSession& session, const LoadedFace& face)
     throw Error("target.vtp", "it does not belong to this reference skin",
                 "run 'facetobone target' again");
   const TriangleMesh target = to_triangle_mesh(surface);
-  m_points = target.points;
   m_normals = vertex_normals(target);
   if (read_json(session.folder.require("target.json", "target")).at("kind") == "scan")
   {
@@ -38,19 +37,28 @@ void PlanTarget::require_overlap(const LoadedFace& face) const
               "widen the target's mask (target.mask_mm) or the region of interest");
 }
 
+SkinTarget PlanTarget::for_vertices(const std::vector<Vec3>& skin_displacement) const
+{
+  SkinTarget target{m_skin.displacement, m_skin.weight, {}};
+  if (!m_skin.nearest)
+    return target;
+#pragma omp parallel for schedule(dynamic, 256)
+  for (std::size_t v = 0; v < skin_displacement.size(); ++v)
+    target.displacement[v] = m_skin.nearest(v, skin_displacement[v]).displacement;
+  return target;
+}
+
 std::vector<double> PlanTarget::signed_distances(const std::vector<Vec3>& skin_displacement) const
 {
-  std::vector<Vec3> face = m_rest, target = m_points;
+  const SkinTarget target = for_vertices(skin_displacement);
+  std::vector<Vec3> face = m_rest, wanted = m_rest;
   for (std::size_t v = 0; v < face.size(); ++v)
-    face[v] += skin_displacement[v];
-  if (m_skin.nearest)
   {
-#pragma omp parallel for schedule(dynamic, 256)
-    for (std::size_t v = 0; v < target.size(); ++v)
-      target[v] = m_rest[v] + m_skin.nearest(v, skin_displacement[v]).displacement;
+    face[v] += skin_displacement[v];
+    wanted[v] += target.displacement[v];
   }
   // the scan's triangles may face either way; those of the reference skin face outwards
-  return f2b::signed_distances(face, target, m_normals);
+  return f2b::signed_distances(face, wanted, m_normals);
 }
 
 } // namespace f2b

@@ -15,6 +15,8 @@ public:
   PlanTarget(const CaseSession& session, const LoadedFace& face);
 
   const SkinTarget& skin() const { return m_skin; }
+  /// The same with a target for every vertex: of a scan, its place nearest to the displaced vertex.
+  SkinTarget for_vertices(const std::vector<Vec3>& skin_displacement) const;
   /// Per reference-skin vertex, negative where the face lies behind the target [mm]: to the
   /// vertex's own target, or to the nearest place of a scan.
   std::vector<double> signed_distances(const std::vector<Vec3>& skin_displacement) const;
@@ -23,8 +25,8 @@ private:
   void require_overlap(const LoadedFace& face) const;
 
   SkinTarget m_skin;
-  std::vector<Vec3> m_rest;              ///< reference skin [mm]
-  std::vector<Vec3> m_points, m_normals; ///< of the target's vertices, where they have their own
+  std::vector<Vec3> m_rest;    ///< reference skin [mm]
+  std::vector<Vec3> m_normals; ///< of the target's vertices
 };
 
 /// Name of the scan that a case keeps.

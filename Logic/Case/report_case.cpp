@@ -1,5 +1,6 @@
 #include "Bridge/json_file.hpp"
 #include "Bridge/markups.hpp"
+#include "Case/plan_findings.hpp"
 #include "Case/verbs.hpp"
 #include "Core/error.hpp"
 #include "Rendering/html_report.hpp"
@@ -76,6 +77,38 @@ std::vector<ReportMethod> report_methods(const json& plan)
     methods.push_back(std::move(method));
   }
   return methods;
+}
+
+std::vector<ReportRegion> report_regions(const json& plan)
+{
+  const json& errors = plan.at("methods").at("rigid-fit").at("skin_error_mm").at("by_region");
+  const json& reach = plan.at("reachability").at("regions");
+  std::vector<ReportRegion> regions;
+  for (const FaceRegion region : all_face_regions())
+  {
+    const std::string key = key_of(region);
+    if (!errors.contains(key))
+      continue;
+    ReportRegion row;
+    row.name = name_of(region);
+    row.error_mean = errors.at(key).at("mean").get<double>();
+    row.error_p90 = errors.at(key).at("p90").get<double>();
+    if (reach.contains(key))
+    {
+      row.asked_p90 = reach.at(key).at("asked_mm").at("p90").get<double>();
+      row.left_p90 = reach.at(key).at("left_mm").at("p90").get<double>();
+    }
+    regions.push_back(std::move(row));
+  }
+  return regions;
+}
+
+std::vector<ReportFact> facts_of(const std::vector<std::pair<std::string, std::string>>& rows)
+{
+  std::vector<ReportFact> facts;
+  for (const auto& [key, value] : rows)
+    facts.push_back({key, value});
+  return facts;
 }
 
 Surface plane_quads(const std::vector<BoundedPlane>& planes)
@@ -217,6 +250,10 @@ void report_case(CaseSession& session)
   content.methods = report_methods(plan);
   if (folder.has("suggest.json"))
     add_suggestions(content, read_json(folder.file("suggest.json")));
+  content.reach = plan.at("reachability").at("sentences").get<std::vector<std::string>>();
+  content.regions = report_regions(plan);
+  content.cuts = facts_of(cut_rows(plan));
+  content.bite = facts_of(bite_rows(plan));
   content.mesh_facts = mesh_facts(read_json(folder.require("mesh.json", "mesh")));
   for (const char* step : {"segment", "cut", "mesh", "target", "plan", "total"})
     content.timings.push_back({step, number(plan.at("timing_s").at(step), 1) + " s"});

@@ -2,6 +2,7 @@
 #include "Bridge/json_file.hpp"
 #include "Bridge/markups.hpp"
 #include "Bridge/material_file.hpp"
+#include "Case/face_regions.hpp"
 #include "Case/verbs.hpp"
 #include "Case/warp_points.hpp"
 #include "Core/error.hpp"
@@ -106,6 +107,16 @@ void segment_case(CaseSession& session)
   const auto skin = watertight_isosurface(head.skin, 0, skin_options);
   const auto bone = watertight_isosurface(head.bone, 0, {});
 
+  const Landmarks landmarks =
+      session.settings.landmarks.empty() ? Landmarks{} : read_landmarks(session.settings.landmarks);
+  const TriangleMesh skin_mesh = to_triangle_mesh(skin);
+  const std::vector<FaceRegion> regions = face_regions(skin_mesh.points, landmarks);
+  add_regions(skin, regions);
+  const std::vector<std::string> missing = missing_for_face_regions(landmarks);
+  std::vector<std::string> notes = head.notes;
+  if (!missing.empty())
+    notes.push_back(regions_note(missing));
+
   session.progress("writing", 0.9);
   CaseChange change(session.folder);
   write_json(change.file(case_settings_name), session.document);
@@ -118,7 +129,7 @@ void segment_case(CaseSession& session)
   write_surface(change.file("skin.ply"), skin);
   write_surface(change.file("bone.vtp"), bone);
   if (!session.settings.landmarks.empty())
-    write_landmarks(change.file("landmarks.mrk.json"), read_landmarks(session.settings.landmarks));
+    write_landmarks(change.file("landmarks.mrk.json"), landmarks);
   write_json(change.file("segment.json"),
              {{"seconds", watch.seconds()},
               {"skin_threshold_hu", head.skin_threshold_hu},
@@ -127,7 +138,8 @@ void segment_case(CaseSession& session)
                {{"min", to_json(head.region_ras.min)}, {"max", to_json(head.region_ras.max)}}},
               {"skin", surface_facts(skin)},
               {"bone", surface_facts(bone)},
-              {"notes", head.notes}});
+              {"regions", regions_json(skin_mesh, regions, missing)},
+              {"notes", notes}});
   change.commit("segment");
   session.progress("segmented", 1);
 }

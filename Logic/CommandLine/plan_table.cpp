@@ -1,5 +1,6 @@
 #include "CommandLine/plan_table.hpp"
 
+#include "Case/plan_findings.hpp"
 #include "Core/geometry/movement_words.hpp"
 
 #include <cstdio>
@@ -65,6 +66,16 @@ void add_errors(std::string& text, const json& methods, const char* key, const c
   }
 }
 
+void add_rows(std::string& text, const char* title,
+              const std::vector<std::pair<std::string, std::string>>& rows)
+{
+  if (rows.empty())
+    return;
+  text += std::string("\n") + title + "\n";
+  for (const auto& [key, value] : rows)
+    text += "  " + key + ": " + value + "\n";
+}
+
 } // namespace
 
 std::string plan_table(const json& plan)
@@ -78,6 +89,12 @@ std::string plan_table(const json& plan)
   add_errors(text, plan.at("methods"), "skin_error_mm", "Predicted face against the target [mm]");
   add_errors(text, plan.at("methods"), "load_residual_mm",
              "What the virtual force itself leaves [mm]");
+  text += "\nWhat these cuts reach\n";
+  for (const json& sentence : plan.at("reachability").at("sentences"))
+    text += "  " + sentence.get<std::string>() + "\n";
+  add_rows(text, "The cuts after the movement, rigid-fit", cut_rows(plan));
+  add_rows(text, "The bite, rigid-fit", bite_rows(plan));
+  text += "\n";
   for (const json& warning : plan.at("warnings"))
     text += "Warning: " + warning.get<std::string>() + "\n";
   print(text, "\n%.1f s in all, %.1f GiB at most. Research software, not a medical device.\n",

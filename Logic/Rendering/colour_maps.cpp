@@ -1,5 +1,7 @@
 #include <Rendering/colour_maps.hpp>
 
+#include <Core/geometry/face_regions.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -56,6 +58,33 @@ vtkSmartPointer<vtkLookupTable> sequential_map(double range_mm)
                                          {0.98, 0.64, 0.42}, {0.88, 0.38, 0.40},
                                          {0.62, 0.18, 0.48}, {0.30, 0.07, 0.42}};
   return make_table(stops, 0, range_mm);
+}
+
+vtkSmartPointer<vtkLookupTable> region_map()
+{
+  // in the order of FaceRegion's values; right and left alike, no neighbours alike
+  static const std::array<Colour, face_region_count> colours{
+      {{0.80, 0.80, 0.80}, // rest of the head
+       {0.98, 0.86, 0.55}, // forehead
+       {0.55, 0.75, 0.90},
+       {0.55, 0.75, 0.90}, // orbits
+       {0.93, 0.55, 0.45}, // nose
+       {0.65, 0.85, 0.62},
+       {0.65, 0.85, 0.62}, // cheeks
+       {0.80, 0.62, 0.86}, // upper lip
+       {0.45, 0.55, 0.85}, // lower lip
+       {0.90, 0.70, 0.30}, // chin
+       {0.93, 0.72, 0.80},
+       {0.93, 0.72, 0.80},   // jaw
+       {0.45, 0.72, 0.70}}}; // neck
+  auto table = vtkSmartPointer<vtkLookupTable>::New();
+  table->SetNumberOfTableValues(static_cast<vtkIdType>(colours.size()));
+  table->SetTableRange(-0.5, static_cast<double>(colours.size()) - 0.5);
+  for (std::size_t i = 0; i < colours.size(); ++i)
+  {
+    table->SetTableValue(static_cast<vtkIdType>(i), colours[i][0], colours[i][1], colours[i][2]);
+  }
+  return table;
 }
 
 Colour fragment_colour(std::size_t index)

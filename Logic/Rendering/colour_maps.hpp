@@ -21,6 +21,9 @@ vtkSmartPointer<vtkLookupTable> diverging_map(double range_mm);
 /// Near-white to dark violet from 0 to range, darker for more.
 vtkSmartPointer<vtkLookupTable> sequential_map(double range_mm);
 
+/// One pale colour for each region of the face, by its value; neighbours differ.
+vtkSmartPointer<vtkLookupTable> region_map();
+
 /// Strong, distinct colours for bone fragments (Okabe and Ito); they repeat after seven.
 Colour fragment_colour(std::size_t index);
 

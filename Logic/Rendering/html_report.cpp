@@ -213,6 +213,36 @@ std::string suggestions(const ReportContent& content)
          "</p>\n";
 }
 
+std::string region_row(const ReportRegion& region)
+{
+  const auto mm = [](const std::optional<double>& value)
+  { return number_cell(value ? fixed(*value, 2) + " mm" : "-"); };
+  return "<tr>" + row_heading(region.name) + mm(region.asked_p90) + mm(region.left_p90) +
+         mm(region.error_mean) + mm(region.error_p90) + "</tr>\n";
+}
+
+std::string reach(const ReportContent& content)
+{
+  std::string html = element("h2", "What these cuts reach");
+  for (const std::string& sentence : content.reach)
+  {
+    html += element("p", sentence);
+  }
+  if (content.regions.empty())
+  {
+    return html;
+  }
+  html += "<table><thead><tr>" + column_heading("Region") + column_heading("Asked for", true) +
+          column_heading("Left", true) + column_heading("Skin error, mean", true) +
+          column_heading("Skin error, 90 % are below", true) + "</tr></thead><tbody>\n";
+  for (const ReportRegion& region : content.regions)
+  {
+    html += region_row(region);
+  }
+  return html + "</tbody></table>\n<p class=\"note\">" + html_escaped(report_texts::reach_note) +
+         "</p>\n";
+}
+
 std::string pictures(const std::vector<ReportPicture>& all)
 {
   std::string html = all.empty() ? "" : element("h2", "Pictures");
@@ -253,6 +283,9 @@ std::string html_report(const ReportContent& content)
     html += list("warning", "Warnings", content.warnings);
   }
   html += content.methods.empty() ? "" : movements(content) + skin_errors(content.methods);
+  html += content.reach.empty() ? "" : reach(content);
+  html += fact_table("The cuts after the movement", content.cuts) +
+          fact_table("The bite", content.bite);
   html += suggestions(content) + pictures(content.pictures);
   html += fact_table("The case", content.facts) + fact_table("The mesh", content.mesh_facts) +
           fact_table("Times", content.timings);

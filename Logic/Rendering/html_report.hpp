@@ -55,6 +55,14 @@ struct ReportSuggestion
   std::string movement; ///< of every fragment, in words
 };
 
+/// One region of the face, rigid-fit [mm].
+struct ReportRegion
+{
+  std::string name;
+  double error_mean = 0, error_p90 = 0;      ///< of the predicted skin against the target
+  std::optional<double> asked_p90, left_p90; ///< where the region has a target
+};
+
 struct ReportPicture
 {
   std::string title;
@@ -71,6 +79,10 @@ struct ReportContent
   std::vector<ReportMethod> methods;         ///< the default first
   std::vector<ReportSuggestion> suggestions; ///< best first; empty: none were asked for
   std::string suggestions_note;              ///< what decided, and what was not possible
+  std::vector<std::string> reach;    ///< sentences on what these cuts reach
+  std::vector<ReportRegion> regions;
+  std::vector<ReportFact> cuts; ///< overlap and gap along each cut after the movement
+  std::vector<ReportFact> bite; ///< before and after
   std::vector<ReportFact> mesh_facts;
   std::vector<ReportFact> timings;
   std::vector<std::string> warnings;

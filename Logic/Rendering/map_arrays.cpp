@@ -8,6 +8,7 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace f2b
@@ -45,6 +46,16 @@ std::vector<double> point_values(const Surface& surface, const std::string& arra
     values[i] = data->GetComponent(static_cast<vtkIdType>(i), 0);
   }
   return values;
+}
+
+bool has_unknown_values(const Surface& surface, const std::string& array)
+{
+  if (!surface->GetPointData()->HasArray(array.c_str()))
+  {
+    return false;
+  }
+  const std::vector<double> values = point_values(surface, array);
+  return std::any_of(values.begin(), values.end(), [](double v) { return !std::isfinite(v); });
 }
 
 Surface with_target_length(const PlanScene& scene)

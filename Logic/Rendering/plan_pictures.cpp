@@ -24,6 +24,7 @@ public:
   void add_faces(View view);
   void add_bones(View view);
   void add_maps();
+  void add_reach();
   void add_face_over_bones();
   std::vector<WrittenPicture> take() { return std::move(m_written); }
 
@@ -70,7 +71,8 @@ void Album::add_faces(View view)
       {"faces_" + view_name(view),
        "The face, " + view_title(view),
        "Face before, target face and the face predicted for the planned bone movement, side by "
-       "side at one scale (parallel projection).",
+       "side at one scale (parallel projection). Grey in the prediction: skin beyond the mesh, "
+       "which was not computed.",
        {},
        true});
   if (m_options.singles)
@@ -120,8 +122,33 @@ void Album::add_maps()
         {"distance_map",
          "What is reached",
          "Signed distance between the predicted and the target face in mm, drawn on the predicted "
-         "face. Blue: the prediction lies behind the target; red: in front of it; grey: no value. "
-         "The range holds 99 % of the skin's vertices.",
+         "face. Blue: the prediction lies behind the target; red: in front of it; grey: skin "
+         "beyond the mesh, not computed. The range holds 99 % of the skin's vertices.",
+         {},
+         true});
+  }
+}
+
+void Album::add_reach()
+{
+  if (m_scene.has_unreachable())
+  {
+    add(reachability_picture(m_scene, m_options.panel),
+        {"reachability",
+         "What these cuts cannot reach",
+         "Length of what is left of the target in mm, drawn on the predicted face: no movement of "
+         "these fragments brings the whole face nearer. Grey: nothing was asked for there, or the "
+         "skin lies beyond the mesh.",
+         {},
+         true});
+  }
+  if (m_scene.has_regions())
+  {
+    add(regions_picture(m_scene, m_options.panel),
+        {"regions",
+         "Regions of the face",
+         "The regions by which errors and reachability are told, drawn on the face before. They "
+         "come from the landmarks and can be edited in the array 'region' of skin.vtp.",
          {},
          true});
   }
@@ -152,6 +179,7 @@ std::vector<WrittenPicture> write_plan_pictures(const PlanPictures& pictures,
     album.add_faces(view);
   }
   album.add_maps();
+  album.add_reach();
   for (const View view : all_views)
   {
     album.add_bones(view);

@@ -72,7 +72,9 @@ void check(const PlanPictures& pictures)
     }
   }
   check_array(pictures.skin, target_displacement_array, "skin");
+  check_array(pictures.skin, region_array, "skin");
   check_array(pictures.predicted, signed_distance_array, "predicted face");
+  check_array(pictures.predicted, unreachable_array, "predicted face");
   for (const FragmentPicture& fragment : pictures.fragments)
   {
     check_surface(fragment.rest, "fragment " + fragment.name);
@@ -115,6 +117,17 @@ PlanScene::PlanScene(const PlanPictures& pictures) : m_pictures(pictures)
 bool PlanScene::has_distance() const
 {
   return has_predicted() && m_pictures.predicted->GetPointData()->GetArray(signed_distance_array);
+}
+
+bool PlanScene::has_unreachable() const
+{
+  return has_predicted() && m_pictures.predicted->GetPointData()->GetArray(unreachable_array);
+}
+
+bool PlanScene::has_regions() const
+{
+  vtkDataArray* regions = m_pictures.skin->GetPointData()->GetArray(region_array);
+  return regions && regions->GetRange()[1] > 0; // all 0: nothing is known of them
 }
 
 std::vector<Surface> PlanScene::faces() const

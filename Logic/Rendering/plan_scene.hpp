@@ -19,6 +19,11 @@ using Surface = vtkSmartPointer<vtkPolyData>;
 constexpr const char* signed_distance_array = "signed_distance_mm";
 /// Optional point array on `PlanPictures::skin`: length or vector of the wished displacement [mm].
 constexpr const char* target_displacement_array = "target_displacement_mm";
+/// Optional point array on `PlanPictures::predicted`: length of what these cuts leave of the target
+/// [mm], NaN where nothing was asked for or computed.
+constexpr const char* unreachable_array = "unreachable_mm";
+/// Optional point array on `PlanPictures::skin`: FaceRegion.
+constexpr const char* region_array = "region";
 
 struct FragmentPicture
 {
@@ -54,6 +59,8 @@ public:
   bool has_target() const { return m_pictures.target != nullptr; }
   bool has_predicted() const { return m_pictures.predicted != nullptr; }
   bool has_distance() const;
+  bool has_unreachable() const;
+  bool has_regions() const; ///< and not all of the skin is FaceRegion::Other
 
   /// Every state of the face that there is.
   std::vector<Surface> faces() const;

@@ -35,6 +35,12 @@ constexpr const char* error_definition =
     "where the prediction lies behind the target. Load residual: what the virtual forces "
     "themselves leave.";
 
+constexpr const char* reach_note =
+    "rigid-fit. Asked for and left: 90th percentile, by area and the target's weight, of the "
+    "length "
+    "of the target displacement and of its part that the best movement of these fragments does not "
+    "give. Skin error: over all skin of the region that was computed.";
+
 /// Dark on light, one column, system fonts only; tables and pictures do not break across pages.
 extern const char* const style;
 

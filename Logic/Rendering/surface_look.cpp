@@ -1,8 +1,9 @@
 #include <Rendering/surface_look.hpp>
 
+#include <Rendering/map_arrays.hpp>
+
 #include <vtkActor.h>
 #include <vtkArrowSource.h>
-#include <vtkDataArray.h>
 #include <vtkFeatureEdges.h>
 #include <vtkMath.h>
 #include <vtkNew.h>
@@ -10,6 +11,7 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkTransform.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
 #include <cmath>
@@ -112,13 +114,40 @@ void make_translucent(vtkActor* actor, const Surface& surface, double opacity)
   }
 }
 
+void make_skin_gloss(vtkActor* actor)
+{
+  actor->GetProperty()->SetSpecular(0.12);
+  actor->GetProperty()->SetSpecularPower(18);
+}
+
+vtkPolyDataMapper* colour_by(vtkActor* actor, const std::string& array)
+{
+  auto* mapper = vtkPolyDataMapper::SafeDownCast(actor->GetMapper());
+  mapper->ScalarVisibilityOn();
+  mapper->SetScalarModeToUsePointFieldData();
+  mapper->SelectColorArray(array.c_str());
+  return mapper;
+}
+
+vtkPolyDataMapper* add_mapped(const Panel& panel, const Surface& surface, const std::string& array,
+                              vtkLookupTable* map)
+{
+  const auto actor = add_surface(panel, surface, {1, 1, 1});
+  actor->GetProperty()->SetAmbient(0.32);
+  actor->GetProperty()->SetDiffuse(0.62);
+  vtkPolyDataMapper* mapper = colour_by(actor, array);
+  mapper->SetColorModeToMapScalars();
+  mapper->SetLookupTable(map);
+  mapper->UseLookupTableScalarRangeOn();
+  return mapper;
+}
+
 } // namespace
 
 void add_skin(const Panel& panel, const Surface& surface, double opacity)
 {
   const auto actor = add_surface(panel, surface, skin_colour);
-  actor->GetProperty()->SetSpecular(0.12);
-  actor->GetProperty()->SetSpecularPower(18);
+  make_skin_gloss(actor);
   if (opacity < 1)
   {
     make_translucent(actor, surface, opacity);
@@ -137,27 +166,36 @@ void add_ghost(const Panel& panel, const Surface& surface)
   make_translucent(add_surface(panel, surface, ghost_colour), surface, ghost_opacity);
 }
 
+void add_skin_known_by(const Panel& panel, const Surface& surface, const std::string& array)
+{
+  vtkNew<vtkUnsignedCharArray> colours;
+  colours->SetName("look");
+  colours->SetNumberOfComponents(3);
+  for (const double value : point_values(surface, array))
+  {
+    const Colour& c = std::isfinite(value) ? skin_colour : no_value_colour;
+    colours->InsertNextTuple3(255 * c[0], 255 * c[1], 255 * c[2]);
+  }
+  auto coloured = Surface::New();
+  coloured->ShallowCopy(surface);
+  coloured->GetPointData()->AddArray(colours);
+  const auto actor = add_surface(panel, coloured, {1, 1, 1});
+  make_skin_gloss(actor);
+  colour_by(actor, "look")->SetColorModeToDirectScalars();
+}
+
 void add_map(const Panel& panel, const Surface& surface, const std::string& array,
              vtkLookupTable* map)
 {
-  const auto actor = add_surface(panel, surface, {1, 1, 1});
-  auto* mapper = vtkPolyDataMapper::SafeDownCast(actor->GetMapper());
-  mapper->ScalarVisibilityOn();
-  mapper->SetScalarModeToUsePointFieldData();
-  mapper->SelectColorArray(array.c_str());
-  mapper->SetColorModeToMapScalars();
-  mapper->SetLookupTable(map);
-  mapper->UseLookupTableScalarRangeOn();
   // Values are interpolated, not colours: bands between vertices stay those of the bar.
-  const vtkDataArray* values = surface->GetPointData()->GetArray(array.c_str());
-  bool all_finite = true;
-  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
-  {
-    all_finite = all_finite && std::isfinite(const_cast<vtkDataArray*>(values)->GetTuple1(i));
-  }
-  mapper->SetInterpolateScalarsBeforeMapping(all_finite);
-  actor->GetProperty()->SetAmbient(0.32);
-  actor->GetProperty()->SetDiffuse(0.62);
+  add_mapped(panel, surface, array, map)
+      ->SetInterpolateScalarsBeforeMapping(!has_unknown_values(surface, array));
+}
+
+void add_categories(const Panel& panel, const Surface& surface, const std::string& array,
+                    vtkLookupTable* map)
+{
+  add_mapped(panel, surface, array, map)->SetInterpolateScalarsBeforeMapping(false);
 }
 
 void add_planes(const Panel& panel, const Surface& planes)

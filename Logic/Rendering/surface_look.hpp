@@ -18,12 +18,17 @@ constexpr Colour arrow_colour{0.10, 0.10, 0.12};
 constexpr double ghost_opacity = 0.28;
 
 void add_skin(const Panel& panel, const Surface& surface, double opacity = 1);
+/// Skin-coloured where a point array has a value, no_value_colour where it has none.
+void add_skin_known_by(const Panel& panel, const Surface& surface, const std::string& array);
 void add_bone(const Panel& panel, const Surface& surface, const Colour& colour);
 /// Where something was: translucent.
 void add_ghost(const Panel& panel, const Surface& surface);
 /// A point array in colours, lit softly so that the colours stay those of the bar.
 void add_map(const Panel& panel, const Surface& surface, const std::string& array,
              vtkLookupTable* map);
+/// A point array of whole numbers, each with the map's colour; no colours between them.
+void add_categories(const Panel& panel, const Surface& surface, const std::string& array,
+                    vtkLookupTable* map);
 /// Planes of cuts, translucent, their outline always in front.
 void add_planes(const Panel& panel, const Surface& planes);
 

@@ -1,5 +1,6 @@
 #include <Rendering/views.hpp>
 
+#include <Core/geometry/face_regions.hpp>
 #include <Rendering/annotation.hpp>
 #include <Rendering/map_arrays.hpp>
 #include <Rendering/movement_arrows.hpp>
@@ -54,11 +55,28 @@ const Surface& face_surface(const PlanScene& scene, FaceState state)
                                       : pictures.predicted;
 }
 
+// Skin beyond the mesh stays where it was; a prediction says so.
+bool partly_predicted(const PlanScene& scene)
+{
+  return scene.has_distance() &&
+         has_unknown_values(scene.pictures().predicted, signed_distance_array);
+}
+
 void draw_face(const Panel& panel, const PlanScene& scene, FaceState state, View view)
 {
-  const Margins margins = annotation_margins(panel, 0);
-  add_skin(panel, face_surface(scene, state));
+  // all states leave the same room, so that they are framed alike
+  const bool partly = partly_predicted(scene);
+  const Margins margins = annotation_margins(panel, partly ? 1 : 0);
   add_title(panel, face_title(state), view_title(view));
+  if (partly && state == FaceState::Predicted)
+  {
+    add_skin_known_by(panel, face_surface(scene, state), signed_distance_array);
+    add_legend(panel, {{"not computed", no_value_colour}});
+  }
+  else
+  {
+    add_skin(panel, face_surface(scene, state));
+  }
   const double mm_per_pixel = fitting_scale(scene.faces(), view, panel, margins);
   frame(panel, view, scene.faces(), margins, mm_per_pixel);
   add_scale(panel, mm_per_pixel);
@@ -71,13 +89,19 @@ struct MapDrawing
   vtkSmartPointer<vtkLookupTable> map;
   std::string title;
   std::string bar_title;
+  std::string unknown = "not computed"; ///< what it means where there is no value
 };
 
 // One map from every side at one scale, with one bar in the middle.
 Image draw_map(const PlanScene& scene, const MapDrawing& drawing, PixelSize panel_size)
 {
   Picture picture(static_cast<int>(all_views.size()), panel_size);
-  const Margins margins = annotation_margins(picture.panel(0), 0);
+  std::vector<LegendEntry> legend;
+  if (has_unknown_values(drawing.surface, drawing.array))
+  {
+    legend.push_back({drawing.unknown, no_value_colour});
+  }
+  const Margins margins = annotation_margins(picture.panel(0), legend.size());
   const double mm_per_pixel = common_scale(scene.faces(), picture.panel(0), margins);
   for (std::size_t i = 0; i < all_views.size(); ++i)
   {
@@ -86,10 +110,50 @@ Image draw_map(const PlanScene& scene, const MapDrawing& drawing, PixelSize pane
     add_title(panel, i == 0 ? drawing.title : "", view_title(all_views[i]));
     frame(panel, all_views[i], scene.faces(), margins, mm_per_pixel);
   }
+  add_legend(picture.panel(0), legend);
   add_scale(picture.panel(0), mm_per_pixel);
   add_scale(picture.panel(2), mm_per_pixel);
   add_value_bar(picture.panel(1), drawing.map, drawing.bar_title);
   return picture.render();
+}
+
+// "orbits" for the right and the left one, which have one colour.
+std::string region_text(FaceRegion region)
+{
+  const std::string name = name_of(region), right = "right ";
+  return name.compare(0, right.size(), right) == 0 ? name.substr(right.size()) + "s" : name;
+}
+
+std::vector<LegendEntry> region_legend(const PlanScene& scene, vtkLookupTable* map)
+{
+  std::vector<char> there(face_region_count, 0);
+  for (const double value : point_values(scene.pictures().skin, region_array))
+  {
+    if (const auto region = face_region_of(value))
+    {
+      there[static_cast<std::size_t>(*region)] = 1;
+    }
+  }
+  std::vector<LegendEntry> entries;
+  for (const FaceRegion region : all_face_regions())
+  {
+    const auto value = static_cast<std::size_t>(region);
+    const bool is_left = name_of(region).compare(0, 5, "left ") == 0;
+    if (there[value] && !is_left)
+    {
+      const double* c = map->GetTableValue(static_cast<vtkIdType>(value));
+      entries.push_back({region_text(region), {c[0], c[1], c[2]}});
+    }
+  }
+  return entries;
+}
+
+// The rows of a legend that one of several panels shows.
+std::vector<LegendEntry> part_of(const std::vector<LegendEntry>& legend, std::size_t part,
+                                 std::size_t rows)
+{
+  const auto first = legend.begin() + static_cast<long>(std::min(legend.size(), part * rows));
+  return {first, legend.begin() + static_cast<long>(std::min(legend.size(), (part + 1) * rows))};
 }
 
 std::vector<LegendEntry> fragment_legend(const PlanScene& scene, bool with_movement)
@@ -208,6 +272,39 @@ Image distance_map_picture(const PlanScene& scene, PixelSize panel_size)
   drawing.title = "Predicted against target";
   drawing.bar_title = "predicted - target [mm], negative: behind the target";
   return draw_map(scene, drawing, panel_size);
+}
+
+Image reachability_picture(const PlanScene& scene, PixelSize panel_size)
+{
+  MapDrawing drawing;
+  drawing.surface = scene.pictures().predicted;
+  drawing.array = unreachable_array;
+  drawing.map = sequential_map(nice_range(point_values(drawing.surface, drawing.array), 0.99, 1.0));
+  drawing.title = "What these cuts cannot reach";
+  drawing.bar_title = "target - best reachable, length [mm]";
+  drawing.unknown = "no target here, or not computed";
+  return draw_map(scene, drawing, panel_size);
+}
+
+Image regions_picture(const PlanScene& scene, PixelSize panel_size)
+{
+  Picture picture(static_cast<int>(all_views.size()), panel_size);
+  const auto map = region_map();
+  const std::vector<LegendEntry> legend = region_legend(scene, map);
+  const std::size_t rows = (legend.size() + all_views.size() - 1) / all_views.size();
+  const Margins margins = annotation_margins(picture.panel(0), rows);
+  const std::vector<Surface> skin{scene.pictures().skin};
+  const double mm_per_pixel = common_scale(skin, picture.panel(0), margins);
+  for (std::size_t i = 0; i < all_views.size(); ++i)
+  {
+    const Panel& panel = picture.panel(static_cast<int>(i));
+    add_categories(panel, skin[0], region_array, map);
+    add_title(panel, i == 0 ? "Regions of the face" : "", view_title(all_views[i]));
+    add_legend(panel, part_of(legend, i, rows));
+    frame(panel, all_views[i], skin, margins, mm_per_pixel);
+    add_scale(panel, mm_per_pixel);
+  }
+  return picture.render();
 }
 
 Image bones_picture(const PlanScene& scene, BoneState state, View view, PixelSize size)

@@ -34,6 +34,11 @@ Image target_region_picture(const PlanScene& scene, PixelSize panel_size);
 /// Signed distance between predicted and target on the predicted skin. Needs has_distance().
 Image distance_map_picture(const PlanScene& scene, PixelSize panel_size);
 
+/// What these cuts leave of the target, on the predicted skin. Needs has_unreachable().
+Image reachability_picture(const PlanScene& scene, PixelSize panel_size);
+/// The regions of the face on the skin before. Needs has_regions().
+Image regions_picture(const PlanScene& scene, PixelSize panel_size);
+
 Image bones_picture(const PlanScene& scene, BoneState state, View view, PixelSize size);
 /// Before | after.
 Image bones_comparison(const PlanScene& scene, View view, PixelSize panel_size);

@@ -62,7 +62,7 @@ TEST(WholeWay, RunPrintsThePlanAndNothingElse)
   EXPECT_EQ(answer.err, "");
   EXPECT_FALSE(has_control_characters(answer.out));
   for (const char* part : {"Movement of the bone fragments, rigid-fit", "virtual-force", "mid-face",
-                           "not a medical device"})
+                           "What these cuts reach", "Overjet", "not a medical device"})
     EXPECT_NE(answer.out.find(part), std::string::npos) << part;
   EXPECT_NE(
       answer.out.find("Report: " + (fs::canonical(finished_run().folder) / "report.html").string()),
@@ -104,7 +104,19 @@ TEST(WholeWay, PlanHoldsWhatIsPromised)
     for (const char* key : {"mean", "sd", "variance", "median", "p90", "p95", "max", "under_1mm",
                             "under_2mm", "signed_mean"})
       EXPECT_TRUE(m.at("skin_error_mm").at(key).is_number()) << key;
+    for (const char* region : {"nose", "upper_lip", "chin"})
+      EXPECT_TRUE(m.at("skin_error_mm").at("by_region").at(region).at("mean").is_number())
+          << region;
+    const json& contact = m.at("bone_contacts").at(0);
+    EXPECT_EQ(contact.at("between"), json({"mid-face", "uncut bone"}));
+    EXPECT_GT(contact.at("gap").at("cut_mm2"), 0);
+    EXPECT_TRUE(contact.at("overlap").at("depth_mm").is_number());
+    EXPECT_TRUE(plan.at("bite").at(method).at("overjet_mm").is_number());
   }
+  EXPECT_EQ(plan.at("bite").at("landmarks_ride_on").at("U1"), "mid-face");
+  EXPECT_EQ(plan.at("bite").at("landmarks_ride_on").at("L1"), "uncut bone");
+  EXPECT_GE(plan.at("reachability").at("sentences").size(), 1u);
+  EXPECT_TRUE(plan.at("reachability").at("regions").at("nose").at("left_mm").at("p90").is_number());
   EXPECT_TRUE(plan.at("methods").at("virtual-force").contains("load_residual_mm"));
   EXPECT_FALSE(plan.at("methods").at("rigid-fit").contains("load_residual_mm"));
   for (const char* key : {"segment", "mesh", "plan", "total"})

@@ -1,23 +1,31 @@
 #pragma once
 
+#include "Core/geometry/cut_face.hpp"
 #include "Core/geometry/rigid_motion.hpp"
-#include "Core/geometry/scalar_grid.hpp"
 
-/// Does a moved fragment run into bone that stays?
+/// Does a moved part of the bone run into another?
 namespace f2b
 {
+
+/// A fragment, or the bone that stays, and where it goes.
+struct MovedPart
+{
+  unsigned char label = BonePartition::uncut;
+  RigidMotion motion; ///< at rest by default
+};
+
+/// The motion of one part as the other sees it, which it takes to be at rest.
+RigidMotion seen_from(const MovedPart& other, const MovedPart& part);
 
 struct BoneOverlap
 {
   double volume_mm3 = 0;
-  double depth_mm = 0; ///< how deep the fragment reaches below the surface of the bone that stays
-  Vec3 deepest = Vec3::Zero(); ///< where [mm, RAS]
+  double depth_mm = 0; ///< how deep the part reaches below the surface of the other, cuts included
+  Vec3 deepest = Vec3::Zero(); ///< where, after the movement [mm, RAS]
 };
 
-/// \param bone      signed distance of the actual bone, negative inside
-/// \param labels    BonePartition::labels on the same lattice
-/// \param fragment  the moved fragment's label
-BoneOverlap overlap_with_uncut_bone(const ScalarGrid& bone, const LabelGrid& labels,
-                                    unsigned char fragment, const RigidMotion& motion);
+/// Counts the part's bone samples that lie in the other's bone. What the saw takes away is in
+/// neither: a cut may close by its kerf.
+BoneOverlap overlap_between(const CutBone& cut, const MovedPart& part, const MovedPart& other);
 
 } // namespace f2b

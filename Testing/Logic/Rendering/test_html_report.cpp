@@ -45,6 +45,23 @@ ReportContent make_content(const std::filesystem::path& folder)
   return content;
 }
 
+TEST(HtmlReportText, TellsReachRegionsCutsAndBite)
+{
+  const TemporaryFolder folder;
+  ReportContent content = make_content(folder.path());
+  EXPECT_EQ(f2b::html_report(content).find("What these cuts reach"), std::string::npos);
+  content.reach = {"The chin target (6.1 mm) is out of reach."};
+  content.regions = {{"upper <lip>", 0.31, 0.64, 8.12, 0.44}, {"neck", 0.05, 0.1, {}, {}}};
+  content.cuts = {{"chin - uncut bone", "gap 2.0 mm"}};
+  content.bite = {{"Overjet", "8.3 mm before, 2.1 mm after"}};
+  const std::string html = f2b::html_report(content);
+  for (const char* part :
+       {"What these cuts reach", "(6.1 mm) is out of reach.", "upper &lt;lip&gt;", "8.12 mm",
+        "0.44 mm", "0.31 mm", "0.64 mm", "<td class=\"number\">-</td>",
+        "The cuts after the movement", "gap 2.0 mm", "The bite", "8.3 mm before"})
+    EXPECT_NE(html.find(part), std::string::npos) << part;
+}
+
 bool contains(const std::string& text, const std::string& part)
 {
   return text.find(part) != std::string::npos;

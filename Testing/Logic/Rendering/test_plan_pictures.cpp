@@ -7,12 +7,14 @@
 #include <Rendering/views.hpp>
 
 #include <gtest/gtest.h>
+#include <vtkDoubleArray.h>
 #include <vtkNew.h>
 #include <vtkPNGReader.h>
 #include <vtkPointData.h>
 
 #include <cmath>
 #include <cstdlib>
+#include <functional>
 #include <limits>
 
 namespace
@@ -158,6 +160,79 @@ TEST_F(PlanPicturesOf100mm, DistanceMapShowsUnknownValuesInGrey)
   EXPECT_EQ(count(image, [&](const Pixel& p, int x, int) { return x < 300 && p.is_blue(); }), 0);
 }
 
+// The patch of a legend, drawn without light left of the face.
+int no_value_patch(const Image& image)
+{
+  return count(image,
+               [](const Pixel& p, int x, int) {
+                 return x < 40 && p == Pixel{158, 158, 158};
+               });
+}
+
+// The top of the toy's prediction as if it lay beyond the mesh.
+PlanPictures partly_computed_plan()
+{
+  PlanPictures plan = toy_plan(100);
+  vtkDataArray* distance = plan.predicted->GetPointData()->GetArray(signed_distance_array);
+  for (vtkIdType i = 0; i < plan.predicted->GetNumberOfPoints(); ++i)
+    if (plan.predicted->GetPoint(i)[2] > 20)
+      distance->SetTuple1(i, std::numeric_limits<double>::quiet_NaN());
+  return plan;
+}
+
+TEST_F(PlanPicturesOf100mm, SkinThatWasNotComputedIsInTheLegend)
+{
+  const PlanScene partly(partly_computed_plan());
+  const PixelSize size{400, 500};
+  EXPECT_EQ(no_value_patch(distance_map_picture(m_scene, size)), 0);
+  EXPECT_GT(no_value_patch(distance_map_picture(partly, size)), 60);
+  EXPECT_GT(no_value_patch(face_picture(partly, FaceState::Predicted, View::Frontal, size)), 60);
+  EXPECT_EQ(no_value_patch(face_picture(partly, FaceState::Before, View::Frontal, size)), 0);
+  EXPECT_EQ(no_value_patch(face_picture(m_scene, FaceState::Predicted, View::Frontal, size)), 0);
+}
+
+TEST_F(PlanPicturesOf100mm, SkinThatWasNotComputedIsGreyInThePrediction)
+{
+  const PlanScene partly(partly_computed_plan());
+  const auto grey = [](const Pixel& p, int, int y)
+  { return y > 100 && std::abs(p.red - p.blue) < 6 && p.red < 200 && p.red > 60; };
+  const Image before = face_picture(partly, FaceState::Before, View::Frontal, {400, 500});
+  const Image predicted = face_picture(partly, FaceState::Predicted, View::Frontal, {400, 500});
+  EXPECT_GT(count(predicted, grey), count(before, grey) + 5000);
+}
+
+void add_array(const Surface& surface, const char* name, const std::function<double(double)>& of_x)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+    array->InsertNextValue(of_x(surface->GetPoint(i)[0]));
+  surface->GetPointData()->AddArray(array);
+}
+
+TEST_F(PlanPicturesOf100mm, ReachabilityIsDarkWhereMoreIsLeft)
+{
+  PlanPictures plan = toy_plan(100);
+  add_array(plan.predicted, unreachable_array, [](double r) { return r > 0 ? 6.0 : 0.2; });
+  const Image image = reachability_picture(PlanScene(plan), {400, 500});
+  // the patient's right is on the left of the frontal panel
+  EXPECT_LT(pixel(image, 140, 260).green, pixel(image, 260, 260).green - 60);
+  EXPECT_EQ(no_value_patch(image), 0);
+}
+
+TEST_F(PlanPicturesOf100mm, RegionsHaveTheirColoursAndNoOthersBetweenThem)
+{
+  PlanPictures plan = toy_plan(100);
+  add_array(plan.skin, region_array, [](double r) { return r > 0 ? 5 : 9; });
+  const Image image = regions_picture(PlanScene(plan), {400, 500});
+  const Pixel right = pixel(image, 140, 260), left = pixel(image, 260, 260);
+  EXPECT_GT(right.green, right.red + 10) << "cheek";
+  EXPECT_GT(left.red, left.green + 10) << "chin";
+  const auto blue = [](const Pixel& p, int x, int y)
+  { return x < 400 && y > 120 && y < 380 && p.blue > p.red + 20 && p.blue > p.green + 20; };
+  EXPECT_EQ(count(image, blue), 0) << "the lips' values lie between the two";
+}
+
 TEST_F(PlanPicturesOf100mm, TargetRegionIsMarkedWhereTheFaceMoves)
 {
   const Image image = target_region_picture(m_scene, small);
@@ -223,6 +298,31 @@ TEST(WritePlanPictures, WritesEveryPictureAndLeavesNoDisplay)
     EXPECT_EQ(picture.caption.empty(), !picture.belongs_in_report) << picture.name;
   }
   EXPECT_EQ(std::getenv("DISPLAY"), nullptr);
+}
+
+TEST(WritePlanPictures, AddsReachabilityAndRegionsWhereTheyAreKnown)
+{
+  unsetenv("DISPLAY");
+  const TemporaryFolder folder;
+  PlanPictures plan = toy_plan(100);
+  add_array(plan.predicted, unreachable_array, [](double) { return 1; });
+  add_array(plan.skin, region_array, [](double) { return 0; });
+  PictureOptions options;
+  options.panel = {160, 200};
+  options.singles = false;
+  const auto names = [&]
+  {
+    std::string text;
+    for (const WrittenPicture& picture : write_plan_pictures(plan, folder.path(), options))
+      text += picture.name + " ";
+    return text;
+  };
+  std::string drawn = names();
+  EXPECT_NE(drawn.find("reachability "), std::string::npos);
+  EXPECT_EQ(drawn.find("regions "), std::string::npos) << "nothing is known of them";
+  add_array(plan.skin, region_array, [](double) { return 4; });
+  drawn = names();
+  EXPECT_NE(drawn.find("regions "), std::string::npos);
 }
 
 TEST(WritePlanPictures, LeavesOutWhatThereIsNot)
