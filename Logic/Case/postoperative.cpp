@@ -3,9 +3,9 @@
 #include "Bridge/grid_file.hpp"
 #include "Bridge/json_file.hpp"
 #include "Bridge/markups.hpp"
-#include "Case/face_regions.hpp"
 #include "Case/fragment_json.hpp"
 #include "Core/error.hpp"
+#include "Core/mesh/skin_over_bone.hpp"
 #include "Core/mesh/split_prisms.hpp"
 #include "Imaging/postoperative_head.hpp"
 #include "Imaging/read_ct.hpp"
@@ -126,10 +126,9 @@ public:
     const TriangleMesh rest =
         to_triangle_mesh(read_surface(m_folder.require("skin.vtp", "segment")));
     m_area = vertex_areas(rest);
-    m_over_fragment =
-        face_regions(read_scalar_grid(m_folder.require("closed_bone_distance.nrrd", "segment")),
-                     partition.labels, rest.points)
-            .over_fragment;
+    m_fragment_below =
+        fragments_below(read_scalar_grid(m_folder.require("closed_bone_distance.nrrd", "segment")),
+                        partition.labels, rest.points);
     leave_out_walls(rest.points);
     for (const char* name : {"predicted_rigid-fit", "predicted_virtual-force"})
       leave_out_unknown(name);
@@ -146,7 +145,7 @@ private:
 
   const CaseFolder& m_folder;
   std::vector<double> m_area;
-  std::vector<char> m_over_fragment;
+  std::vector<int> m_fragment_below; ///< -1: bone that stays
 };
 
 void FaceComparison::leave_out_walls(const std::vector<Vec3>& rest)
@@ -180,7 +179,7 @@ json FaceComparison::errors(const PostoperativeFindings& findings,
   {
     std::vector<double> area = m_area;
     for (std::size_t v = 0; v < area.size(); ++v)
-      if ((m_over_fragment[v] != 0) != cut)
+      if ((m_fragment_below[v] >= 0) != cut)
         area[v] = 0;
     result[cut ? "cut" : "outside_cut"] =
         error_json(distance_to_postoperative(findings, points, area));

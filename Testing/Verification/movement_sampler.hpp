@@ -1,6 +1,7 @@
 #pragma once
 
-#include "Core/geometry/bone_overlap.hpp"
+#include "Core/geometry/osteotomy.hpp"
+#include "Core/geometry/rigid_motion.hpp"
 
 #include <cstdint>
 #include <random>
@@ -46,26 +47,27 @@ struct UncutBone
 ///
 /// A movement runs into uncut bone, and is left out, if at a quarter, half, three quarters or all
 /// of the way the fragment reaches more than `allowed_depth_mm` below the surface of the bone that
-/// stays (overlap_with_uncut_bone).
+/// stays. The saw's kerf is not left out, unlike in a plan: the set of movements stays what it is
+/// whatever a plan says of overlaps.
 class MovementSampler
 {
 public:
   static constexpr double longest_mm = 22, widest_deg = 15, allowed_depth_mm = 2;
 
   MovementSampler(UncutBone bone, unsigned char fragment_label, const Vec3& reference_point,
-                  std::uint64_t seed)
-      : m_bone(bone), m_label(fragment_label), m_reference(reference_point), m_numbers(seed)
-  {
-  }
+                  std::uint64_t seed);
 
   SampledMovement next();
   int left_out() const { return m_left_out; }
 
 private:
+  double depth_below(const Vec3& p) const;
+  double depth(const RigidMotion& motion) const;
   double depth_on_the_way(const Vec3& translation, const Vec3& rotation_vector) const;
 
   UncutBone m_bone;
   unsigned char m_label;
+  std::vector<Vec3> m_cut_face;
   Vec3 m_reference;
   UniformNumbers m_numbers;
   int m_left_out = 0;

@@ -81,9 +81,6 @@ public:
   std::vector<std::vector<Vec3>> yield_to(const std::vector<Vec3>& x, const Eigen::MatrixXd& forces,
                                           double tolerance = 1e-10);
 
-  /// From the next solve on.
-  void set_step_tolerance(double millimetres) { m_options.step_tolerance_mm = millimetres; }
-
   /// Is told at every Newton iteration how far a solve has come, in [0, 1]; may throw to cancel.
   void set_progress(std::function<void(double)> progress) { m_progress = std::move(progress); }
 

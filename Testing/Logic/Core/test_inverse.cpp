@@ -43,9 +43,9 @@ TEST(RigidFit, TheRestFaceAsTargetGivesNoMovement)
 {
   const Slab slab;
   const std::size_t n = slab.skin.vertices.size();
-  const RigidFitResult fit =
-      fit_fragments(slab.face, {std::vector<Vec3>(n, Vec3::Zero()), std::vector<double>(n, 1.0)},
-                    {}, no_progress);
+  const RigidFitResult fit = fit_fragments(
+      slab.face, {std::vector<Vec3>(n, Vec3::Zero()), std::vector<double>(n, 1.0), {}}, {},
+      no_progress);
   EXPECT_EQ(fit.termination, RigidFitTermination::Converged);
   EXPECT_LT(fit.motions[0].translation.norm(), 1e-9);
 }
@@ -55,8 +55,8 @@ TEST(RigidFit, AMaskWithoutSkinIsRefused)
   const Slab slab;
   const std::size_t n = slab.skin.vertices.size();
   EXPECT_THROW(fit_fragments(slab.face,
-                             {std::vector<Vec3>(n, Vec3(0, 0, 1)), std::vector<double>(n, 0.0)}, {},
-                             no_progress),
+                             {std::vector<Vec3>(n, Vec3(0, 0, 1)), std::vector<double>(n, 0.0), {}},
+                             {}, no_progress),
                Error);
 }
 
