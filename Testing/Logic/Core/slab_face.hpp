@@ -65,12 +65,18 @@ struct Slab
   FaceModel face;
 
 private:
-  /// The middle of each fragment's half.
+  /// The middle of each fragment's nodes where there are two, else the origin.
   static std::vector<Vec3> references(const MixedMesh& mesh)
   {
-    if (mesh.fragments.size() == 2)
-      return {{-12, 0, 0}, {12, 0, 0}};
-    return std::vector<Vec3>(mesh.fragments.size(), Vec3::Zero());
+    std::vector<Vec3> middles(mesh.fragments.size(), Vec3::Zero());
+    std::vector<int> nodes(mesh.fragments.size(), 0);
+    for (std::size_t n = 0; mesh.fragments.size() > 1 && n < mesh.X.size(); ++n)
+      if (mesh.node_boundary[n] == Boundary::Fragment)
+      {
+        const auto f = std::size_t(mesh.node_fragment[n]);
+        middles[f] += (mesh.X[n] - middles[f]) / ++nodes[f];
+      }
+    return middles;
   }
 };
 
