@@ -12,9 +12,10 @@ ROOMS = {
     "Rendering": {"Core", "Rendering"},
     "Case": {"Core", "Imaging", "Meshing", "Bridge", "Rendering", "Case"},
     "CommandLine": {"Core", "Bridge", "Case", "CommandLine"},
+    "../Widgets/VTK": {"Core"},
 }
 LIBRARIES = {  # first letters of a header -> the rooms that may include it
-    r"vtk": {"Meshing", "Bridge", "Rendering", "Case"},
+    r"vtk": {"Meshing", "Bridge", "Rendering", "Case", "../Widgets/VTK"},
     r"itk": {"Imaging", "Bridge"},
     r"CGAL/": {"Meshing"},
     r"nlohmann/": {"Bridge", "Case", "CommandLine"},
@@ -41,7 +42,8 @@ def faults(path, room):
                 yield f"{path.relative_to(root)}:{number}: {room} must not include {header}"
 
 
-found = [fault for room in ROOMS for path in sorted((root / "Logic" / room).rglob("*.[hc]pp"))
+found = [fault for room in ROOMS for path in sorted((root / "Logic" / room).rglob("*.*"))
+         if path.suffix in {".hpp", ".cpp", ".h", ".cxx"}
          for fault in faults(path, room)]
 holds = {entry.name for entry in root.iterdir() if not entry.name.startswith(".")}
 extra = holds - {"CMakeLists.txt", "CMakePresets.json", "README.md", "LICENSE", "Logic", "MRML", "Widgets",

@@ -1,0 +1,178 @@
+#include "vtkFaceToBoneToolRepresentation.h"
+
+#include <vtkActor.h>
+#include <vtkCellArray.h>
+#include <vtkMapper.h>
+#include <vtkMath.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkPropCollection.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+#include <vtkTextActor.h>
+#include <vtkTextProperty.h>
+
+vtkFaceToBoneToolRepresentation::vtkFaceToBoneToolRepresentation()
+    : Readout(vtkSmartPointer<vtkTextActor>::New())
+{
+  this->PickableOff();
+  vtkTextProperty* text = this->Readout->GetTextProperty();
+  text->SetFontSize(15);
+  text->SetColor(1, 1, 1);
+  text->SetBackgroundColor(0.1, 0.12, 0.15);
+  text->SetBackgroundOpacity(0.75);
+  this->Readout->VisibilityOff();
+}
+
+vtkFaceToBoneToolRepresentation::~vtkFaceToBoneToolRepresentation() = default;
+
+vtkActor* vtkFaceToBoneToolRepresentation::AddActor(vtkPolyData* shown, const Point& colour,
+                                                    double lineWidth)
+{
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(shown);
+  mapper->ScalarVisibilityOff();
+  mapper->SetResolveCoincidentTopologyToPolygonOffset();
+  mapper->SetRelativeCoincidentTopologyLineOffsetParameters(0, -66000);
+  mapper->SetRelativeCoincidentTopologyPointOffsetParameter(-66000);
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  actor->PickableOff();
+  actor->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
+  actor->GetProperty()->SetLineWidth(static_cast<float>(lineWidth));
+  this->Actors.push_back(actor);
+  return actor;
+}
+
+void vtkFaceToBoneToolRepresentation::SetPolyline(vtkPolyData* data,
+                                                  const std::vector<Point>& points, bool closed)
+{
+  vtkNew<vtkPoints> corners;
+  vtkNew<vtkCellArray> lines;
+  for (const Point& p : points)
+    corners->InsertNextPoint(p.data());
+  if (points.size() > 1)
+  {
+    lines->InsertNextCell(static_cast<int>(points.size() + (closed ? 1 : 0)));
+    for (std::size_t i = 0; i < points.size(); ++i)
+      lines->InsertCellPoint(static_cast<vtkIdType>(i));
+    if (closed)
+      lines->InsertCellPoint(0);
+  }
+  data->Initialize();
+  data->SetPoints(corners);
+  data->SetLines(lines);
+}
+
+auto vtkFaceToBoneToolRepresentation::GetRay(double x, double y) -> Ray
+{
+  Point ends[2];
+  for (int k = 0; k < 2; ++k)
+  {
+    this->Renderer->SetDisplayPoint(x, y, k);
+    this->Renderer->DisplayToWorld();
+    const double* p = this->Renderer->GetWorldPoint();
+    for (std::size_t i = 0; i < 3; ++i)
+      ends[k][i] = p[i] / p[3];
+  }
+  Ray ray{ends[0], {}};
+  vtkMath::Subtract(ends[1].data(), ends[0].data(), ray.Direction.data());
+  vtkMath::Normalize(ray.Direction.data());
+  return ray;
+}
+
+auto vtkFaceToBoneToolRepresentation::ToDisplay(const Point& world) -> Point
+{
+  this->Renderer->SetWorldPoint(world[0], world[1], world[2], 1);
+  this->Renderer->WorldToDisplay();
+  const double* p = this->Renderer->GetDisplayPoint();
+  return {p[0], p[1], p[2]};
+}
+
+auto vtkFaceToBoneToolRepresentation::WorldAtDepthOf(const Point& world, double x, double y)
+    -> Point
+{
+  this->Renderer->SetDisplayPoint(x, y, this->ToDisplay(world)[2]);
+  this->Renderer->DisplayToWorld();
+  const double* p = this->Renderer->GetWorldPoint();
+  return {p[0] / p[3], p[1] / p[3], p[2] / p[3]};
+}
+
+double vtkFaceToBoneToolRepresentation::MillimetresPerPixel(const Point& world)
+{
+  const Point at = this->ToDisplay(world);
+  const Point beside = this->WorldAtDepthOf(world, at[0] + 1, at[1]);
+  return std::sqrt(vtkMath::Distance2BetweenPoints(world.data(), beside.data()));
+}
+
+void vtkFaceToBoneToolRepresentation::SetReadout(const std::string& text, double x, double y)
+{
+  this->Readout->SetVisibility(!text.empty());
+  this->Readout->SetInput(text.c_str());
+  this->Readout->SetPosition(x + 18, y + 14);
+}
+
+std::string vtkFaceToBoneToolRepresentation::GetReadout() const
+{
+  return this->Readout->GetVisibility() ? this->Readout->GetInput() : "";
+}
+
+void vtkFaceToBoneToolRepresentation::GetActors(vtkPropCollection* props)
+{
+  for (vtkActor* actor : this->Actors)
+    props->AddItem(actor);
+}
+
+void vtkFaceToBoneToolRepresentation::GetActors2D(vtkPropCollection* props)
+{
+  props->AddItem(this->Readout);
+}
+
+void vtkFaceToBoneToolRepresentation::ReleaseGraphicsResources(vtkWindow* window)
+{
+  for (vtkActor* actor : this->Actors)
+    actor->ReleaseGraphicsResources(window);
+  this->Readout->ReleaseGraphicsResources(window);
+}
+
+int vtkFaceToBoneToolRepresentation::RenderOverlay(vtkViewport* viewport)
+{
+  return this->Readout->GetVisibility() ? this->Readout->RenderOverlay(viewport) : 0;
+}
+
+int vtkFaceToBoneToolRepresentation::RenderOpaqueGeometry(vtkViewport* viewport)
+{
+  this->BuildRepresentation();
+  int drawn = 0;
+  for (vtkActor* actor : this->Actors)
+    if (actor->GetVisibility())
+      drawn += actor->RenderOpaqueGeometry(viewport);
+  if (this->Readout->GetVisibility())
+    drawn += this->Readout->RenderOpaqueGeometry(viewport);
+  return drawn;
+}
+
+int vtkFaceToBoneToolRepresentation::RenderTranslucentPolygonalGeometry(vtkViewport* viewport)
+{
+  int drawn = 0;
+  for (vtkActor* actor : this->Actors)
+    if (actor->GetVisibility())
+      drawn += actor->RenderTranslucentPolygonalGeometry(viewport);
+  return drawn;
+}
+
+vtkTypeBool vtkFaceToBoneToolRepresentation::HasTranslucentPolygonalGeometry()
+{
+  for (vtkActor* actor : this->Actors)
+    if (actor->GetVisibility() && actor->HasTranslucentPolygonalGeometry())
+      return 1;
+  return 0;
+}
+
+void vtkFaceToBoneToolRepresentation::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Actors: " << this->Actors.size() << "\n";
+}
