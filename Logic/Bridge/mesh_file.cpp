@@ -147,4 +147,20 @@ MixedMesh read_mesh(const std::filesystem::path& path)
   return mesh;
 }
 
+std::vector<Vec3> read_node_vectors(const std::filesystem::path& path, const std::string& name)
+{
+  const VtkMessages messages;
+  vtkNew<vtkXMLUnstructuredGridReader> reader;
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  vtkUnstructuredGrid* grid = reader->GetOutput();
+  if (messages.error() || grid->GetNumberOfPoints() == 0)
+    refuse(path);
+  vtkDataArray* array = grid->GetPointData()->GetArray(name.c_str());
+  std::vector<Vec3> vectors;
+  for (vtkIdType n = 0; array && n < array->GetNumberOfTuples(); ++n)
+    vectors.push_back(flipped(Vec3(array->GetTuple3(n))));
+  return vectors;
+}
+
 } // namespace f2b

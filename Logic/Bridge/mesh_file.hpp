@@ -17,5 +17,7 @@ void write_mesh(const std::filesystem::path& path, const MixedMesh& mesh,
                 const std::vector<std::pair<std::string, std::vector<Vec3>>>& displacements = {});
 /// Reads what write_mesh wrote; throws Error on anything else.
 MixedMesh read_mesh(const std::filesystem::path& path);
+/// The vectors per node of that name, as write_mesh stored them; empty where there are none.
+std::vector<Vec3> read_node_vectors(const std::filesystem::path& path, const std::string& name);
 
 } // namespace f2b

@@ -1,5 +1,6 @@
 #include "Bridge/json_file.hpp"
-#include "Bridge/markups.hpp"
+#include "Case/case_pictures.hpp"
+#include "Case/case_texts.hpp"
 #include "Case/plan_findings.hpp"
 #include "Case/verbs.hpp"
 #include "Core/error.hpp"
@@ -111,50 +112,6 @@ std::vector<ReportFact> facts_of(const std::vector<std::pair<std::string, std::s
   return facts;
 }
 
-Surface plane_quads(const std::vector<BoundedPlane>& planes)
-{
-  TriangleMesh mesh;
-  for (const BoundedPlane& p : planes)
-  {
-    const int first = static_cast<int>(mesh.points.size());
-    for (const auto& [a, b] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}})
-      mesh.points.push_back(p.center + a * p.half_u * p.u + b * p.half_v * p.v);
-    mesh.triangles.push_back({first, first + 1, first + 2});
-    mesh.triangles.push_back({first, first + 2, first + 3});
-  }
-  return to_polydata(mesh);
-}
-
-PlanPictures plan_pictures(const CaseFolder& folder, const json& plan)
-{
-  PlanPictures pictures;
-  pictures.skin = read_surface(folder.require("skin.vtp", "segment"));
-  pictures.target = read_surface(folder.require("target.vtp", "target"));
-  pictures.predicted = read_surface(folder.require("predicted_rigid-fit.vtp", "plan"));
-  pictures.uncut_bone = read_surface(folder.require("uncut_bone.vtp", "cut"));
-  pictures.cut_planes = plane_quads(read_planes(folder.require("cuts.mrk.json", "cut")));
-  std::vector<double> length;
-  for (const Vec3& d : point_vectors(pictures.target, "displacement"))
-    length.push_back(d.norm());
-  add_point_array(pictures.skin, target_displacement_array, length);
-  for (const json& f : plan.at("methods").at("rigid-fit").at("fragments"))
-  {
-    const ReportFragment facts = report_fragment(f);
-    const std::string name = file_part(facts.name);
-    FragmentPicture fragment;
-    fragment.name = facts.name;
-    fragment.rest = read_surface(folder.require("fragment_" + name + ".vtp", "cut"));
-    fragment.planned = read_surface(folder.require(name + "_rigid-fit.vtp", "plan"));
-    for (std::size_t i = 0; i < 16; ++i)
-      fragment.matrix_ras[i] = f.at("matrix_ras").at(i).get<double>();
-    for (std::size_t i = 0; i < 3; ++i)
-      fragment.reference_point_ras[i] = facts.reference_point_ras[static_cast<Eigen::Index>(i)];
-    fragment.movement = translation_phrase(facts.translation_ras_mm);
-    pictures.fragments.push_back(std::move(fragment));
-  }
-  return pictures;
-}
-
 std::vector<ReportFact> case_facts(const CaseSession& session, const json& plan)
 {
   const json segment = read_json(session.folder.require("segment.json", "segment"));
@@ -227,20 +184,20 @@ std::vector<std::string> warnings(const CaseSession& session, const json& plan)
 
 } // namespace
 
-void report_case(CaseSession& session)
+void report_case(CaseSession& session, const ReportOptions& options)
 {
   const CaseFolder& folder = session.folder;
   const json plan = read_json(folder.require("plan.json", "plan"));
   session.progress("drawing pictures", 0.1);
   CaseChange change(session.folder);
   const Path picture_folder = change.file("pictures/x").parent_path();
-  PictureOptions options;
-  options.singles = false; // the comparisons show every one of them
+  const Texts texts = case_texts(options.texts);
+  const PlanScene scene(case_pictures(folder, {true, true}));
   ReportContent content;
   for (const WrittenPicture& p :
-       write_plan_pictures(plan_pictures(folder, plan), picture_folder, options))
-    if (p.belongs_in_report)
-      content.pictures.push_back({p.title, p.caption, p.path});
+       write_pictures(scene, report_pictures(scene), picture_folder, texts))
+    content.pictures.push_back(
+        {texts("picture." + p.name + ".title"), texts("picture." + p.name + ".caption"), p.path});
 
   session.progress("writing the report", 0.9);
   content.title = "FaceToBone plan: " + session.settings.name;

@@ -37,8 +37,28 @@ struct ExportOptions
 };
 /// The forward problem of a movement, for other engines.
 void export_case(CaseSession& session, const ExportOptions& options);
-/// Pictures and report.html.
-void report_case(CaseSession& session);
+struct ScreenshotOptions
+{
+  std::vector<std::string> show{"face-before"}, views{"frontal"};
+  Path output;               ///< a .png; a folder for `definition`, `turntable` and `morph`
+  Path definition;           ///< many pictures: views.schema.json; then show and views do not count
+  int width = 0, height = 0; ///< pixels; 0: 1200 x 1000 for each panel
+  int dpi = 0;
+  std::string background = "light";
+  double fraction = 0.5; ///< of the way to the predicted face, for the subject morph
+  std::optional<double> slice_mm;
+  int turntable = 0, morph = 0; ///< frames of a film; not both
+  Path texts;                   ///< a translation of Resources/texts/en.json
+};
+/// Pictures of a case as far as its steps have been done.
+void screenshot_case(CaseSession& session, const ScreenshotOptions& options);
+struct ReportOptions
+{
+  Path texts;            ///< a translation of Resources/texts/en.json
+  bool identity = false; ///< also tell where the scan lies and the case's notes
+};
+/// Pictures, report.html, report.pdf, report.json, tables and surfaces for printing.
+void report_case(CaseSession& session, const ReportOptions& options);
 
 /// All of them into a folder; what the folder held before stays until everything is done.
 void run_case(const nlohmann::json& document, const Path& source, const Path& folder,

@@ -3,6 +3,7 @@
 #include "Case/verbs.hpp"
 #include "CommandLine/plan_table.hpp"
 #include "CommandLine/progress_bar.hpp"
+#include "CommandLine/screenshot_arguments.hpp"
 #include "CommandLine/stated_movement.hpp"
 #include "CommandLine/suggestion_table.hpp"
 #include "Core/error.hpp"
@@ -40,6 +41,8 @@ struct Arguments
   FitMaterialOptions fit;
   ExportOptions exported;
   SuggestOptions suggested;
+  ScreenshotOptions screenshot;
+  ReportOptions report;
 };
 
 using Action = std::function<void(const Arguments&, const Progress&)>;
@@ -122,6 +125,18 @@ void export_deck(const Arguments& a, const Progress& progress)
     document["predict"] = movements_from_arguments(a.movements);
   session.change_settings(document, from_arguments);
   export_case(session, a.exported);
+}
+
+void add_screenshot(CLI::App& app, Arguments& a, std::map<CLI::App*, Action>& actions)
+{
+  CLI::App* verb = app.add_subcommand("screenshot", "Draw one picture of a case, many, or a film");
+  verb->add_option("CASE", a.folder, "Case folder, or a file in it such as case.mrml")->required();
+  add_screenshot_options(*verb, a.screenshot);
+  actions[verb] = [](const Arguments& args, const Progress& progress)
+  {
+    CaseSession session = CaseSession::open(folder_of_case(args.folder), progress);
+    screenshot_case(session, args.screenshot);
+  };
 }
 
 /// Adds a verb that reads and writes one case folder.
@@ -255,6 +270,20 @@ void add_suggest(CLI::App& app, Arguments& a, std::map<CLI::App*, Action>& actio
   };
 }
 
+void add_report(CLI::App& app, Arguments& a, std::map<CLI::App*, Action>& actions)
+{
+  CLI::App* verb =
+      add_verb(app, a, "report", "Draw pictures; write report.html, .pdf, .json and tables");
+  verb->add_option("--texts", a.report.texts, "A translation of Resources/texts/en.json");
+  verb->add_flag("--identity", a.report.identity,
+                 "Also tell the scan's folder and the case's notes, which may name the patient");
+  actions[verb] = [](const Arguments& args, const Progress& progress)
+  {
+    CaseSession session = CaseSession::open(args.folder, progress);
+    report_case(session, args.report);
+  };
+}
+
 Action on_case(void (*verb)(CaseSession&))
 {
   return [verb](const Arguments& a, const Progress& progress)
@@ -296,7 +325,8 @@ std::map<CLI::App*, Action> add_verbs(CLI::App& app, Arguments& a)
                            "lfem, mtm, nfem or nfm-em (the mixed elements; default)");
   actions[predict_verb] = predict;
   add_export(app, a, actions);
-  actions[add_verb(app, a, "report", "Draw pictures and write report.html")] = on_case(report_case);
+  add_report(app, a, actions);
+  add_screenshot(app, a, actions);
   add_fit_material(app, a, actions);
   return actions;
 }

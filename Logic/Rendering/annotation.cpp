@@ -21,9 +21,6 @@ namespace f2b
 namespace
 {
 
-constexpr Colour ink{0.13, 0.15, 0.18};
-constexpr Colour pale_ink{0.36, 0.39, 0.43};
-
 constexpr double title_size = 32;
 constexpr double body_size = 21;
 constexpr double edge = 28; ///< distance of annotations from the panel's edge
@@ -204,9 +201,9 @@ void add_title(const Panel& panel, const std::string& title, const std::string& 
   const double top = panel.size.height;
   const double width = panel.size.width - 2 * edge * unit;
   add_text(panel, edge * unit, top - 60 * unit, title,
-           {title_size * unit, true, Align::Left, width, ink});
+           {title_size * unit, true, Align::Left, width, panel.ink});
   add_text(panel, edge * unit, top - 90 * unit, subtitle,
-           {body_size * unit, false, Align::Left, width, pale_ink});
+           {body_size * unit, false, Align::Left, width, panel.pale_ink});
 }
 
 void add_legend(const Panel& panel, const std::vector<LegendEntry>& entries)
@@ -216,20 +213,23 @@ void add_legend(const Panel& panel, const std::vector<LegendEntry>& entries)
   double y = panel.size.height - header_height * unit - patch;
   for (const LegendEntry& entry : entries)
   {
+    const double rim = 1.5 * unit; // a black patch would not be seen on black
+    add_rectangle(panel, edge * unit - rim, y - rim, patch + 2 * rim, patch + 2 * rim,
+                  panel.pale_ink, 0.5);
+    add_rectangle(panel, edge * unit, y, patch, patch, panel.paper);
     add_rectangle(panel, edge * unit, y, patch, patch, entry.colour, entry.opacity);
     add_text(panel, edge * unit + 1.6 * patch, y - 1 * unit, entry.text,
              {body_size * unit, false, Align::Left,
-              panel.size.width - 2 * edge * unit - 1.6 * patch, ink});
+              panel.size.width - 2 * edge * unit - 1.6 * patch, panel.ink});
     y -= legend_step * unit;
   }
 }
 
-void add_orientation(const Panel& panel, View view)
+void add_orientation(const Panel& panel, const ViewAxes& axes)
 {
   const double unit = annotation_unit(panel);
   const double centre_x = (edge + 42) * unit, centre_y = (edge + 40) * unit;
   const double arm = 24 * unit;
-  const ViewAxes axes = view_axes(view);
   for (const AxisLetter& axis : axis_letters)
   {
     const double dx = dot(axis.direction, axes.right), dy = dot(axis.direction, axes.up);
@@ -241,10 +241,10 @@ void add_orientation(const Panel& panel, View view)
       continue;
     }
     add_line(panel, centre_x, centre_y, centre_x + arm * dx, centre_y + arm * dy, 2 * unit,
-             pale_ink);
+             panel.pale_ink);
     const double reach = arm * length + 13 * unit;
     add_text(panel, centre_x + reach * dx / length, centre_y + reach * dy / length - 10 * unit,
-             axis.letter, {18 * unit, true, Align::Centre, 0, ink});
+             axis.letter, {18 * unit, true, Align::Centre, 0, panel.ink});
   }
 }
 
@@ -255,13 +255,13 @@ void add_scale(const Panel& panel, double mm_per_pixel)
   const double length = length_mm / mm_per_pixel;
   const double right = panel.size.width - edge * unit;
   const double y = (edge + 8) * unit;
-  add_line(panel, right - length, y, right, y, 3 * unit, ink);
+  add_line(panel, right - length, y, right, y, 3 * unit, panel.ink);
   for (const double x : {right - length, right})
   {
-    add_line(panel, x, y - 6 * unit, x, y + 6 * unit, 2 * unit, ink);
+    add_line(panel, x, y - 6 * unit, x, y + 6 * unit, 2 * unit, panel.ink);
   }
   add_text(panel, right - 0.5 * length, y + 10 * unit, number_text(length_mm) + " mm",
-           {18 * unit, false, Align::Centre, 0, ink});
+           {18 * unit, false, Align::Centre, 0, panel.ink});
 }
 
 void add_value_bar(const Panel& panel, vtkLookupTable* map, const std::string& title)
@@ -271,22 +271,23 @@ void add_value_bar(const Panel& panel, vtkLookupTable* map, const std::string& t
   const double right = panel.size.width - 2 * edge * unit;
   const double width = std::min(right - left, 560 * unit), height = 22 * unit;
   const double x = 0.5 * (left + right - width), y = (edge + 36) * unit;
-  add_rectangle(panel, x - 1.5 * unit, y - 1.5 * unit, width + 3 * unit, height + 3 * unit, ink);
+  add_rectangle(panel, x - 1.5 * unit, y - 1.5 * unit, width + 3 * unit, height + 3 * unit,
+                panel.ink);
   const auto bar =
       make_bar(map, x * panel.scale, y * panel.scale, width * panel.scale, height * panel.scale);
-  add_flat(panel, bar, ink);
+  add_flat(panel, bar, panel.ink);
   const double* range = map->GetTableRange();
   const int intervals = tick_intervals(range[0], range[1]);
   for (int tick = 0; tick <= intervals; ++tick)
   {
     const double share = static_cast<double>(tick) / intervals;
     const double at = x + width * share;
-    add_line(panel, at, y - 8 * unit, at, y, 1.5 * unit, ink);
+    add_line(panel, at, y - 8 * unit, at, y, 1.5 * unit, panel.ink);
     add_text(panel, at, y - 34 * unit, number_text(range[0] + (range[1] - range[0]) * share),
-             {body_size * unit, false, Align::Centre, 0, ink});
+             {body_size * unit, false, Align::Centre, 0, panel.ink});
   }
   add_text(panel, x + 0.5 * width, y + height + 10 * unit, title,
-           {body_size * unit, true, Align::Centre, right - left, ink});
+           {body_size * unit, true, Align::Centre, right - left, panel.ink});
 }
 
 } // namespace f2b

@@ -55,7 +55,7 @@ void add_title(const Panel& panel, const std::string& title, const std::string& 
 /// Rows of colour patch and text under the title.
 void add_legend(const Panel& panel, const std::vector<LegendEntry>& entries);
 /// Letters R L A P S I around a small cross at the bottom left.
-void add_orientation(const Panel& panel, View view);
+void add_orientation(const Panel& panel, const ViewAxes& axes);
 /// A line of a round number of mm at the bottom right.
 void add_scale(const Panel& panel, double mm_per_pixel);
 /// A horizontal colour bar with ticks at the bottom, its title above it; takes the scale's place.

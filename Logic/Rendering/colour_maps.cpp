@@ -87,6 +87,25 @@ vtkSmartPointer<vtkLookupTable> region_map()
   return table;
 }
 
+vtkSmartPointer<vtkLookupTable> boundary_map()
+{
+  // in the order of Boundary's values
+  static const std::array<Colour, 6> colours{{{0.80, 0.80, 0.80},   // not on it
+                                              {0.92, 0.73, 0.63},   // skin
+                                              {0.34, 0.71, 0.91},   // bone that stays
+                                              {0.84, 0.37, 0.00},   // fragments
+                                              {0.95, 0.90, 0.45},   // free
+                                              {0.55, 0.55, 0.58}}}; // walls
+  auto table = vtkSmartPointer<vtkLookupTable>::New();
+  table->SetNumberOfTableValues(static_cast<vtkIdType>(colours.size()));
+  table->SetTableRange(-0.5, static_cast<double>(colours.size()) - 0.5);
+  for (std::size_t i = 0; i < colours.size(); ++i)
+  {
+    table->SetTableValue(static_cast<vtkIdType>(i), colours[i][0], colours[i][1], colours[i][2]);
+  }
+  return table;
+}
+
 Colour fragment_colour(std::size_t index)
 {
   static const std::array<Colour, 7> colours{{{0.00, 0.45, 0.70},
@@ -97,6 +116,16 @@ Colour fragment_colour(std::size_t index)
                                               {0.90, 0.62, 0.00},
                                               {0.35, 0.30, 0.60}}};
   return colours[index % colours.size()];
+}
+
+Colour slice_fragment_colour(std::size_t index)
+{
+  Colour colour = fragment_colour(index);
+  for (double& c : colour)
+  {
+    c = std::min(1.0, 0.35 + 0.75 * c);
+  }
+  return colour;
 }
 
 double nice_ceiling(double value)

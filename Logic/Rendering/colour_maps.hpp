@@ -24,8 +24,14 @@ vtkSmartPointer<vtkLookupTable> sequential_map(double range_mm);
 /// One pale colour for each region of the face, by its value; neighbours differ.
 vtkSmartPointer<vtkLookupTable> region_map();
 
+/// One colour for each part of the mesh's boundary, by Core's Boundary.
+vtkSmartPointer<vtkLookupTable> boundary_map();
+
 /// Strong, distinct colours for bone fragments (Okabe and Ito); they repeat after seven.
 Colour fragment_colour(std::size_t index);
+
+/// The same order for outlines on a black slice: lighter.
+Colour slice_fragment_colour(std::size_t index);
 
 /// The next value of 1, 1.5, 2, 3, 4, 5, 6, 8 times a power of ten that is not below `value`.
 double nice_ceiling(double value);

@@ -1,5 +1,7 @@
 #include <Rendering/framing.hpp>
 
+#include <Core/error.hpp>
+
 #include <vtkCamera.h>
 #include <vtkPoints.h>
 
@@ -50,29 +52,48 @@ ViewAxes axes_from_angles(double azimuth_deg, double elevation_deg)
 
 } // namespace
 
-std::string view_name(View view)
+const std::vector<View>& named_views()
 {
-  return view == View::Frontal ? "frontal" : view == View::Lateral ? "lateral" : "three_quarter";
+  static const std::vector<View> views{{"frontal", 0, 0},
+                                       {"profile-right", 90, 0},
+                                       {"profile-left", -90, 0},
+                                       {"three-quarter-right", 42, 8},
+                                       {"three-quarter-left", -42, 8},
+                                       {"submental", 0, -60},
+                                       {"top", 0, 90}};
+  return views;
 }
 
-std::string view_title(View view)
+std::optional<View> view_named(const std::string& name)
 {
-  return view == View::Frontal   ? "Frontal"
-         : view == View::Lateral ? "Lateral from the right"
-                                 : "Three-quarter from the right";
+  const auto& views = named_views();
+  const auto found =
+      std::find_if(views.begin(), views.end(), [&](const View& v) { return v.name == name; });
+  return found == views.end() ? std::nullopt : std::optional<View>(*found);
 }
 
-ViewAxes view_axes(View view)
+View require_view(const std::string& name)
 {
-  return view == View::Frontal   ? axes_from_angles(0, 0)
-         : view == View::Lateral ? axes_from_angles(90, 0)
-                                 : axes_from_angles(42, 8);
+  if (const auto view = view_named(name))
+  {
+    return *view;
+  }
+  std::string known;
+  for (const View& view : named_views())
+  {
+    known += (known.empty() ? "" : ", ") + view.name;
+  }
+  throw Error("view", "'" + name + "' is none", "name one of " + known);
 }
 
-Extents extents(const std::vector<Surface>& surfaces, View view)
+ViewAxes view_axes(const View& view)
+{
+  return axes_from_angles(view.azimuth_deg, view.elevation_deg);
+}
+
+Extents extents(const std::vector<Surface>& surfaces, const ViewAxes& axes)
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  const ViewAxes axes = view_axes(view);
   Extents box{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
   for (const Surface& surface : surfaces)
   {
@@ -99,10 +120,9 @@ double fitting_mm_per_pixel(const Extents& box, PixelSize size, const Margins& m
   return std::max(needed, 1e-6);
 }
 
-void aim(const Panel& panel, View view, const Extents& box, const Margins& margins,
+void aim(const Panel& panel, const ViewAxes& axes, const Extents& box, const Margins& margins,
          double mm_per_pixel)
 {
-  const ViewAxes axes = view_axes(view);
   const double right = 0.5 * (box.low[0] + box.high[0]);
   const double up = 0.5 * (box.low[1] + box.high[1]);
   // The box's centre goes between the margins, which is not the panel's centre.

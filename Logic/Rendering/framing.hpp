@@ -3,6 +3,7 @@
 #include <Rendering/picture.hpp>
 #include <Rendering/plan_scene.hpp>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,19 +13,20 @@
 namespace f2b
 {
 
-enum class View
+/// A direction to look from; the picture's up is as near to +S as it can be.
+struct View
 {
-  Frontal,      ///< the patient's right on the picture's left
-  Lateral,      ///< seen from the patient's right, nose to the right
-  ThreeQuarter, ///< between both, slightly from above
+  std::string name;         ///< "profile-right"; its title is the text "view.profile-right"
+  double azimuth_deg = 0;   ///< from +A (0: from in front) towards +R
+  double elevation_deg = 0; ///< towards +S (90: from above)
 };
 
-constexpr std::array<View, 3> all_views{View::Frontal, View::Lateral, View::ThreeQuarter};
-
-/// "frontal", "lateral", "three_quarter": for file names.
-std::string view_name(View view);
-/// "Frontal", "Lateral from the right", "Three-quarter": for people.
-std::string view_title(View view);
+/// frontal, profile-right, profile-left, three-quarter-right, three-quarter-left, submental, top.
+/// In the frontal view the patient's right is on the picture's left.
+const std::vector<View>& named_views();
+std::optional<View> view_named(const std::string& name);
+/// Throws f2b::Error naming the views that there are.
+View require_view(const std::string& name);
 
 /// Space that annotations take at a panel's edges [output pixels].
 struct Margins
@@ -41,7 +43,7 @@ struct ViewAxes
   std::array<double, 3> up;
   std::array<double, 3> towards_viewer;
 };
-ViewAxes view_axes(View view);
+ViewAxes view_axes(const View& view);
 
 /// The box that surfaces fill in a view's own axes [mm].
 struct Extents
@@ -49,13 +51,13 @@ struct Extents
   std::array<double, 3> low;
   std::array<double, 3> high;
 };
-Extents extents(const std::vector<Surface>& surfaces, View view);
+Extents extents(const std::vector<Surface>& surfaces, const ViewAxes& axes);
 
 /// Millimetres of one output pixel at which the box just fits between the margins.
 double fitting_mm_per_pixel(const Extents& box, PixelSize size, const Margins& margins);
 
 /// Centres the box between the margins.
-void aim(const Panel& panel, View view, const Extents& box, const Margins& margins,
+void aim(const Panel& panel, const ViewAxes& axes, const Extents& box, const Margins& margins,
          double mm_per_pixel);
 
 } // namespace f2b

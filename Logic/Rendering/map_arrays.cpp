@@ -2,8 +2,10 @@
 
 #include <Core/error.hpp>
 
+#include <vtkCellArray.h>
 #include <vtkDataArray.h>
 #include <vtkFloatArray.h>
+#include <vtkIdList.h>
 #include <vtkMath.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -56,6 +58,29 @@ bool has_unknown_values(const Surface& surface, const std::string& array)
   }
   const std::vector<double> values = point_values(surface, array);
   return std::any_of(values.begin(), values.end(), [](double v) { return !std::isfinite(v); });
+}
+
+Surface known_part(const Surface& surface, const std::string& array)
+{
+  const std::vector<double> values = point_values(surface, array);
+  auto part = Surface::New();
+  part->SetPoints(surface->GetPoints());
+  part->GetPointData()->ShallowCopy(surface->GetPointData());
+  vtkNew<vtkCellArray> cells;
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType cell = 0; cell < surface->GetNumberOfCells(); ++cell)
+  {
+    surface->GetCellPoints(cell, corners);
+    const vtkIdType* begin = corners->GetPointer(0);
+    if (std::all_of(begin, begin + corners->GetNumberOfIds(),
+                    [&](vtkIdType id)
+                    { return std::isfinite(values[static_cast<std::size_t>(id)]); }))
+    {
+      cells->InsertNextCell(corners);
+    }
+  }
+  part->SetPolys(cells);
+  return part;
 }
 
 Surface with_target_length(const PlanScene& scene)

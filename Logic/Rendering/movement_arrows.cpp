@@ -18,22 +18,6 @@ namespace
 
 using Point = std::array<double, 3>;
 
-struct PanelPosition
-{
-  double x;
-  double y;
-};
-
-// Output pixels from the panel's bottom left corner.
-PanelPosition seen_at(const Panel& panel, View view, const Point& point, double mm_per_pixel)
-{
-  Point offset{};
-  vtkMath::Subtract(point.data(), panel.scene->GetActiveCamera()->GetFocalPoint(), offset.data());
-  const ViewAxes axes = view_axes(view);
-  return {0.5 * panel.size.width + vtkMath::Dot(offset.data(), axes.right.data()) / mm_per_pixel,
-          0.5 * panel.size.height + vtkMath::Dot(offset.data(), axes.up.data()) / mm_per_pixel};
-}
-
 std::string length_text(double length_mm)
 {
   std::array<char, 32> text{};
@@ -42,6 +26,15 @@ std::string length_text(double length_mm)
 }
 
 } // namespace
+
+PanelPosition seen_at(const Panel& panel, const ViewAxes& axes, const Point& point,
+                      double mm_per_pixel)
+{
+  Point offset{};
+  vtkMath::Subtract(point.data(), panel.scene->GetActiveCamera()->GetFocalPoint(), offset.data());
+  return {0.5 * panel.size.width + vtkMath::Dot(offset.data(), axes.right.data()) / mm_per_pixel,
+          0.5 * panel.size.height + vtkMath::Dot(offset.data(), axes.up.data()) / mm_per_pixel};
+}
 
 Point moved_reference_point(const FragmentPicture& fragment)
 {
@@ -55,7 +48,7 @@ Point moved_reference_point(const FragmentPicture& fragment)
   return moved;
 }
 
-void add_movement_arrow(const Panel& panel, const FragmentPicture& fragment, View view,
+void add_movement_arrow(const Panel& panel, const FragmentPicture& fragment, const ViewAxes& axes,
                         double mm_per_pixel)
 {
   const double unit = annotation_unit(panel);
@@ -65,7 +58,7 @@ void add_movement_arrow(const Panel& panel, const FragmentPicture& fragment, Vie
 
   const double length = std::sqrt(vtkMath::Distance2BetweenPoints(from.data(), to.data()));
   const std::string text = length_text(length);
-  const PanelPosition at = seen_at(panel, view, to, mm_per_pixel);
+  const PanelPosition at = seen_at(panel, axes, to, mm_per_pixel);
   const double size = 22 * unit;
   const double width = 0.62 * size * static_cast<double>(text.size());
   const double x = std::clamp(at.x + 14 * unit, 0.0, panel.size.width - width);

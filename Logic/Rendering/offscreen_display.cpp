@@ -1,6 +1,7 @@
 #include <Rendering/offscreen_display.hpp>
 
 #include <Core/error.hpp>
+#include <Rendering/child_program.hpp>
 
 #include <X11/Xlib.h>
 
@@ -12,7 +13,6 @@
 #include <cstring>
 #include <fcntl.h>
 #include <poll.h>
-#include <sstream>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <thread>
@@ -46,17 +46,11 @@ bool is_usable(const std::string& display_name)
   return has_glx;
 }
 
-std::string find_program(const std::string& name)
+std::string require_program(const std::string& name)
 {
-  const char* path = std::getenv("PATH");
-  std::istringstream folders(path ? path : "/usr/local/bin:/usr/bin");
-  for (std::string folder; std::getline(folders, folder, ':');)
+  if (const auto program = find_program(name))
   {
-    const std::string candidate = folder + "/" + name;
-    if (!folder.empty() && access(candidate.c_str(), X_OK) == 0)
-    {
-      return candidate;
-    }
+    return program->string();
   }
   throw Error("display", "there is none, and " + name + " was not found", remedy);
 }
@@ -170,7 +164,7 @@ OffscreenDisplay::~OffscreenDisplay()
 
 void OffscreenDisplay::start_private_server()
 {
-  const std::string program = find_program("Xvfb");
+  const std::string program = require_program("Xvfb");
   std::array<int, 2> pipe_ends{};
   if (pipe2(pipe_ends.data(), O_CLOEXEC) != 0)
   {

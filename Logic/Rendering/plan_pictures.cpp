@@ -1,11 +1,9 @@
 #include <Rendering/plan_pictures.hpp>
 
-#include <Rendering/map_arrays.hpp>
 #include <Rendering/offscreen_display.hpp>
 #include <Rendering/quiet_messages.hpp>
-#include <Rendering/views.hpp>
 
-#include <vtkPointData.h>
+#include <algorithm>
 
 namespace f2b
 {
@@ -13,179 +11,93 @@ namespace f2b
 namespace
 {
 
-class Album
+// As wide on an A4 page as 300 dots per inch ask for.
+constexpr PixelSize report_size{2100, 870};
+
+std::vector<View> views(const std::vector<const char*>& names)
 {
-public:
-  Album(const PlanScene& scene, std::filesystem::path folder, const PictureOptions& options)
-      : m_scene(scene), m_folder(std::move(folder)), m_options(options)
+  std::vector<View> list;
+  for (const char* name : names)
   {
+    list.push_back(require_view(name));
   }
-
-  void add_faces(View view);
-  void add_bones(View view);
-  void add_maps();
-  void add_reach();
-  void add_face_over_bones();
-  std::vector<WrittenPicture> take() { return std::move(m_written); }
-
-private:
-  void add(const Image& image, const WrittenPicture& about);
-  void add_single_faces(View view);
-  void add_single_bones(View view);
-
-  const PlanScene& m_scene;
-  std::filesystem::path m_folder;
-  PictureOptions m_options;
-  std::vector<WrittenPicture> m_written;
-};
-
-void Album::add(const Image& image, const WrittenPicture& about)
-{
-  WrittenPicture picture = about;
-  picture.path = m_folder / (about.name + ".png");
-  write_png(image, picture.path);
-  m_written.push_back(picture);
+  return list;
 }
 
-void Album::add_single_faces(View view)
+bool can_be_shown(Subject subject, const PlanScene& scene)
 {
-  const auto add_state = [&](FaceState state, const std::string& name, const std::string& title)
-  {
-    add(face_picture(m_scene, state, view, m_options.single),
-        {name + "_" + view_name(view), title + ", " + view_title(view), "", {}, false});
-  };
-  add_state(FaceState::Before, "face_before", "Face before");
-  if (m_scene.has_target())
-  {
-    add_state(FaceState::Target, "face_target", "Target face");
-  }
-  if (m_scene.has_predicted())
-  {
-    add_state(FaceState::Predicted, "face_predicted", "Predicted face");
-  }
-}
-
-void Album::add_faces(View view)
-{
-  add(face_comparison(m_scene, view, m_options.panel),
-      {"faces_" + view_name(view),
-       "The face, " + view_title(view),
-       "Face before, target face and the face predicted for the planned bone movement, side by "
-       "side at one scale (parallel projection). Grey in the prediction: skin beyond the mesh, "
-       "which was not computed.",
-       {},
-       true});
-  if (m_options.singles)
-  {
-    add_single_faces(view);
-  }
-}
-
-void Album::add_single_bones(View view)
-{
-  add(bones_picture(m_scene, BoneState::Before, view, m_options.single),
-      {"bones_before_" + view_name(view), "Bones before, " + view_title(view), "", {}, false});
-  add(bones_picture(m_scene, BoneState::After, view, m_options.single),
-      {"bones_after_" + view_name(view), "Bones as planned, " + view_title(view), "", {}, false});
-}
-
-void Album::add_bones(View view)
-{
-  add(bones_comparison(m_scene, view, m_options.panel),
-      {"bones_" + view_name(view),
-       "The bones, " + view_title(view),
-       "Bones before and as planned. Each fragment has its own colour; grey: where it was. The "
-       "arrow is the movement of the fragment's reference point, to scale, with its length.",
-       {},
-       true});
-  if (m_options.singles)
-  {
-    add_single_bones(view);
-  }
-}
-
-void Album::add_maps()
-{
-  const PlanPictures& pictures = m_scene.pictures();
-  if (m_scene.has_target() || pictures.skin->GetPointData()->GetArray(target_displacement_array))
-  {
-    add(target_region_picture(m_scene, m_options.panel),
-        {"target_region",
-         "What was asked for",
-         "Length of the wished displacement of the skin, drawn on the face before.",
-         {},
-         true});
-  }
-  if (m_scene.has_distance())
-  {
-    add(distance_map_picture(m_scene, m_options.panel),
-        {"distance_map",
-         "What is reached",
-         "Signed distance between the predicted and the target face in mm, drawn on the predicted "
-         "face. Blue: the prediction lies behind the target; red: in front of it; grey: skin "
-         "beyond the mesh, not computed. The range holds 99 % of the skin's vertices.",
-         {},
-         true});
-  }
-}
-
-void Album::add_reach()
-{
-  if (m_scene.has_unreachable())
-  {
-    add(reachability_picture(m_scene, m_options.panel),
-        {"reachability",
-         "What these cuts cannot reach",
-         "Length of what is left of the target in mm, drawn on the predicted face: no movement of "
-         "these fragments brings the whole face nearer. Grey: nothing was asked for there, or the "
-         "skin lies beyond the mesh.",
-         {},
-         true});
-  }
-  if (m_scene.has_regions())
-  {
-    add(regions_picture(m_scene, m_options.panel),
-        {"regions",
-         "Regions of the face",
-         "The regions by which errors and reachability are told, drawn on the face before. They "
-         "come from the landmarks and can be edited in the array 'region' of skin.vtp.",
-         {},
-         true});
-  }
-}
-
-void Album::add_face_over_bones()
-{
-  add(face_over_bones_picture(m_scene, m_options.panel),
-      {"face_over_bones",
-       "Face over the planned bones",
-       "The planned bones seen through the face.",
-       {},
-       true});
+  return missing_for(subject, scene).empty();
 }
 
 } // namespace
 
-std::vector<WrittenPicture> write_plan_pictures(const PlanPictures& pictures,
-                                                const std::filesystem::path& folder,
-                                                const PictureOptions& options)
+std::vector<PictureDefinition> report_pictures(const PlanScene& scene)
 {
+  const std::vector<View> around = views({"frontal", "profile-right", "three-quarter-right"});
+  std::vector<PictureDefinition> list;
+  const auto add = [&](const std::string& name, const std::vector<Subject>& wanted,
+                       const std::vector<View>& from)
+  {
+    PictureDefinition definition;
+    definition.name = name;
+    std::copy_if(wanted.begin(), wanted.end(), std::back_inserter(definition.show),
+                 [&](Subject subject) { return can_be_shown(subject, scene); });
+    definition.views = from;
+    definition.size = report_size;
+    if (!definition.show.empty())
+    {
+      list.push_back(definition);
+    }
+  };
+  const auto file_part = [](std::string view)
+  {
+    std::replace(view.begin(), view.end(), '-', '_');
+    return view;
+  };
+  for (const View& view : around)
+  {
+    add("faces_" + file_part(view.name),
+        {Subject::FaceBefore, Subject::FaceTarget, Subject::FacePredicted}, {view});
+  }
+  add("target_displacement", {Subject::TargetDisplacement}, around);
+  add("distance_map", {Subject::DistanceMap}, around);
+  add("reachability", {Subject::Reachability}, around);
+  for (const View& view : around)
+  {
+    add("fragments_" + file_part(view.name), {Subject::FragmentsBefore, Subject::FragmentsAfter},
+        {view});
+  }
+  add("intervals", {Subject::Intervals}, views({"frontal", "profile-right"}));
+  add("face_over_skull", {Subject::FaceOverSkull}, around);
+  add("ct_slices", {Subject::CtAxial, Subject::CtCoronal, Subject::CtSagittal}, {});
+  add("regions", {Subject::Regions}, around);
+  add("boundary_parts", {Subject::BoundaryParts},
+      views({"three-quarter-right", "profile-left", "submental"}));
+  add("contact_surfaces", {Subject::ContactSurfaces, Subject::ContactDistance},
+      views({"three-quarter-right"}));
+  return list;
+}
+
+std::vector<WrittenPicture> write_pictures(const PlanScene& scene,
+                                           const std::vector<PictureDefinition>& definitions,
+                                           const std::filesystem::path& folder, const Texts& texts)
+{
+  for (const PictureDefinition& definition : definitions)
+  {
+    for (const Subject subject : definition.show)
+    {
+      require_shown(subject, scene); // before anything is written
+    }
+  }
   const QuietMessages messages;
-  const PlanScene scene(pictures);
   const OffscreenDisplay display;
-  Album album(scene, folder, options);
-  for (const View view : all_views)
+  std::vector<WrittenPicture> written;
+  for (const PictureDefinition& definition : definitions)
   {
-    album.add_faces(view);
+    written.push_back({definition.name, folder / (definition.name + ".png")});
+    write_png(draw_picture(scene, definition, texts), written.back().path, definition.dpi);
   }
-  album.add_maps();
-  album.add_reach();
-  for (const View view : all_views)
-  {
-    album.add_bones(view);
-  }
-  album.add_face_over_bones();
-  return album.take();
+  return written;
 }
 
 } // namespace f2b

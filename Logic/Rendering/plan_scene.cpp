@@ -8,6 +8,7 @@
 #include <vtkPointData.h>
 #include <vtkPolyDataNormals.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace f2b
@@ -78,7 +79,16 @@ void check(const PlanPictures& pictures)
   for (const FragmentPicture& fragment : pictures.fragments)
   {
     check_surface(fragment.rest, "fragment " + fragment.name);
-    check_surface(fragment.planned, "fragment " + fragment.name + " as planned");
+    if (fragment.planned)
+    {
+      check_surface(fragment.planned, "fragment " + fragment.name + " as planned");
+    }
+  }
+  for (const ContactPicture& contact : pictures.contacts)
+  {
+    check_surface(contact.rest, "contact surface");
+    check_surface(contact.dragged, "dragged contact surface");
+    check_array(contact.dragged, misfit_array, "dragged contact surface");
   }
 }
 
@@ -112,6 +122,11 @@ PlanScene::PlanScene(const PlanPictures& pictures) : m_pictures(pictures)
     fragment.rest = with_normals(fragment.rest);
     fragment.planned = with_normals(fragment.planned);
   }
+  for (ContactPicture& contact : m_pictures.contacts)
+  {
+    contact.rest = with_normals(contact.rest);
+    contact.dragged = with_normals(contact.dragged);
+  }
 }
 
 bool PlanScene::has_distance() const
@@ -128,6 +143,23 @@ bool PlanScene::has_regions() const
 {
   vtkDataArray* regions = m_pictures.skin->GetPointData()->GetArray(region_array);
   return regions && regions->GetRange()[1] > 0; // all 0: nothing is known of them
+}
+
+bool PlanScene::has_target_displacement() const
+{
+  return has_target() || m_pictures.skin->GetPointData()->GetArray(target_displacement_array);
+}
+
+bool PlanScene::has_intervals() const
+{
+  return std::any_of(m_pictures.fragments.begin(), m_pictures.fragments.end(),
+                     [](const FragmentPicture& f) { return f.intervals.has_value(); });
+}
+
+bool PlanScene::has_plan() const
+{
+  return std::all_of(m_pictures.fragments.begin(), m_pictures.fragments.end(),
+                     [](const FragmentPicture& f) { return f.planned != nullptr; });
 }
 
 std::vector<Surface> PlanScene::faces() const
@@ -149,7 +181,10 @@ std::vector<Surface> PlanScene::bones() const
   for (const FragmentPicture& fragment : m_pictures.fragments)
   {
     surfaces.push_back(fragment.rest);
-    surfaces.push_back(fragment.planned);
+    if (fragment.planned)
+    {
+      surfaces.push_back(fragment.planned);
+    }
   }
   if (m_pictures.cut_planes)
   {

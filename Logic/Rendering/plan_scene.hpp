@@ -1,9 +1,11 @@
 #pragma once
 
+#include <vtkImageData.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,14 +27,34 @@ constexpr const char* unreachable_array = "unreachable_mm";
 /// Optional point array on `PlanPictures::skin`: FaceRegion.
 constexpr const char* region_array = "region";
 
+/// Point array on `ContactPicture::dragged`: length of the registration's misfit [mm].
+constexpr const char* misfit_array = "misfit_mm";
+/// Cell array on `PlanPictures::boundary`: Core's Boundary.
+constexpr const char* boundary_array = "boundary";
+
+/// Half widths of 90 % intervals; not finite where the coordinate was not free.
+struct MovementIntervals
+{
+  std::array<double, 3> translation_mm{}; ///< right, anterior, superior
+  std::array<double, 3> rotation_deg{};   ///< pitch, roll, yaw
+};
+
+/// The tissue's contact surface on one fragment.
+struct ContactPicture
+{
+  Surface rest;
+  Surface dragged; ///< where the virtual forces pull it; with misfit_array
+};
+
 struct FragmentPicture
 {
   std::string name;
   Surface rest;
-  Surface planned;                             ///< the same bone where the plan puts it
+  Surface planned; ///< the same bone where the plan puts it; null before there is a plan
   std::array<double, 16> matrix_ras{};         ///< row-major, rest to planned
   std::array<double, 3> reference_point_ras{}; ///< at rest
   std::string movement;                        ///< "11.0 mm forward, 5.0 mm down"
+  std::optional<MovementIntervals> intervals;
 };
 
 /// The surfaces of a plan as the case holds them.
@@ -42,8 +64,11 @@ struct PlanPictures
   Surface target;    ///< same topology as skin; may be null
   Surface predicted; ///< same topology as skin; may be null
   std::vector<FragmentPicture> fragments;
-  Surface uncut_bone; ///< bone that does not move; required
-  Surface cut_planes; ///< quads; may be null
+  Surface uncut_bone;                   ///< bone that does not move; required
+  Surface cut_planes;                   ///< quads; may be null
+  Surface boundary;                     ///< facets of the mesh, with boundary_array; may be null
+  std::vector<ContactPicture> contacts; ///< in the fragments' order; may be empty
+  vtkSmartPointer<vtkImageData> ct;     ///< Hounsfield units, RAS; may be null
 };
 
 /// The same with normals, checked: safe to draw.
@@ -61,6 +86,10 @@ public:
   bool has_distance() const;
   bool has_unreachable() const;
   bool has_regions() const; ///< and not all of the skin is FaceRegion::Other
+
+  bool has_target_displacement() const;
+  bool has_intervals() const;
+  bool has_plan() const; ///< every fragment has its planned place
 
   /// Every state of the face that there is.
   std::vector<Surface> faces() const;

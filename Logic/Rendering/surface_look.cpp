@@ -4,6 +4,7 @@
 
 #include <vtkActor.h>
 #include <vtkArrowSource.h>
+#include <vtkContourFilter.h>
 #include <vtkFeatureEdges.h>
 #include <vtkMath.h>
 #include <vtkNew.h>
@@ -163,7 +164,19 @@ void add_bone(const Panel& panel, const Surface& surface, const Colour& colour)
 
 void add_ghost(const Panel& panel, const Surface& surface)
 {
-  make_translucent(add_surface(panel, surface, ghost_colour), surface, ghost_opacity);
+  add_translucent(panel, surface, ghost_colour, ghost_opacity);
+}
+
+void add_translucent(const Panel& panel, const Surface& surface, const Colour& colour,
+                     double opacity)
+{
+  make_translucent(add_surface(panel, surface, colour), surface, opacity);
+}
+
+void add_open_translucent(const Panel& panel, const Surface& surface, const Colour& colour,
+                          double opacity)
+{
+  add_surface(panel, surface, colour)->GetProperty()->SetOpacity(opacity);
 }
 
 void add_skin_known_by(const Panel& panel, const Surface& surface, const std::string& array)
@@ -196,6 +209,45 @@ void add_categories(const Panel& panel, const Surface& surface, const std::strin
                     vtkLookupTable* map)
 {
   add_mapped(panel, surface, array, map)->SetInterpolateScalarsBeforeMapping(false);
+}
+
+void add_cell_categories(const Panel& panel, const Surface& surface, const std::string& array,
+                         vtkLookupTable* map)
+{
+  add_mapped(panel, surface, array, map)->SetScalarModeToUseCellFieldData();
+}
+
+void add_contour(const Panel& panel, const Surface& surface, const std::string& array, double value,
+                 double width)
+{
+  vtkNew<vtkContourFilter> contour;
+  contour->SetInputData(known_part(surface, array));
+  contour->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, array.c_str());
+  contour->SetValue(0, value);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(contour->GetOutputPort());
+  mapper->ScalarVisibilityOff();
+  mapper->SetResolveCoincidentTopologyToPolygonOffset();
+  mapper->SetRelativeCoincidentTopologyLineOffsetParameters(-2, -8);
+  vtkNew<vtkActor> line;
+  line->SetMapper(mapper);
+  line->GetProperty()->SetColor(0.1, 0.1, 0.12);
+  line->GetProperty()->SetLineWidth(static_cast<float>(width * panel.scale));
+  line->GetProperty()->LightingOff();
+  panel.scene->AddActor(line);
+}
+
+void add_outline(const Panel& panel, const Surface& lines, const Colour& colour, double width)
+{
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(lines);
+  mapper->ScalarVisibilityOff();
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
+  actor->GetProperty()->SetLineWidth(static_cast<float>(width * panel.scale));
+  actor->GetProperty()->LightingOff();
+  panel.front->AddActor(actor);
 }
 
 void add_planes(const Panel& panel, const Surface& planes)

@@ -23,12 +23,26 @@ void add_skin_known_by(const Panel& panel, const Surface& surface, const std::st
 void add_bone(const Panel& panel, const Surface& surface, const Colour& colour);
 /// Where something was: translucent.
 void add_ghost(const Panel& panel, const Surface& surface);
+/// One colour, translucent.
+void add_translucent(const Panel& panel, const Surface& surface, const Colour& colour,
+                     double opacity);
+/// The same for a sheet that has no inside: both of its sides.
+void add_open_translucent(const Panel& panel, const Surface& surface, const Colour& colour,
+                          double opacity);
 /// A point array in colours, lit softly so that the colours stay those of the bar.
 void add_map(const Panel& panel, const Surface& surface, const std::string& array,
              vtkLookupTable* map);
 /// A point array of whole numbers, each with the map's colour; no colours between them.
 void add_categories(const Panel& panel, const Surface& surface, const std::string& array,
                     vtkLookupTable* map);
+/// The same for a cell array.
+void add_cell_categories(const Panel& panel, const Surface& surface, const std::string& array,
+                         vtkLookupTable* map);
+/// Lines where a point array has a value, on the surface.
+void add_contour(const Panel& panel, const Surface& surface, const std::string& array, double value,
+                 double width);
+/// Polylines in one colour, always in front.
+void add_outline(const Panel& panel, const Surface& lines, const Colour& colour, double width);
 /// Planes of cuts, translucent, their outline always in front.
 void add_planes(const Panel& panel, const Surface& planes);
 

@@ -11,7 +11,7 @@ ROOMS = {
     "Bridge": {"Core", "Bridge"},
     "Rendering": {"Core", "Rendering"},
     "Case": {"Core", "Imaging", "Meshing", "Bridge", "Rendering", "Case"},
-    "CommandLine": {"Core", "Bridge", "Case", "CommandLine"},
+    "CommandLine": {"Core", "Bridge", "Rendering", "Case", "CommandLine"},
     "../Widgets/VTK": {"Core"},
 }
 LIBRARIES = {  # first letters of a header -> the rooms that may include it

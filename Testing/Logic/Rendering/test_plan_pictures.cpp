@@ -1,10 +1,10 @@
 #include "temporary_folder.hpp"
+#include "texts_of_program.hpp"
 #include "toy_plan.hpp"
 
 #include <Core/error.hpp>
 #include <Rendering/offscreen_display.hpp>
 #include <Rendering/plan_pictures.hpp>
-#include <Rendering/views.hpp>
 
 #include <gtest/gtest.h>
 #include <vtkDoubleArray.h>
@@ -83,6 +83,17 @@ bool has_clean_border(const Image& image)
                     { return (x < 3 || y < 3 || x >= w - 3 || y >= h - 3) && !(p == background); });
 }
 
+const View frontal = *view_named("frontal"), profile = *view_named("profile-right");
+const std::vector<View> around{frontal, profile, *view_named("three-quarter-right")};
+
+Image draw(const PlanScene& scene, const std::vector<Subject>& show, const std::vector<View>& views,
+           PixelSize panel, Background background = Background::Light)
+{
+  PictureDefinition definition{"test", show, views, {}, background, 0, {}};
+  definition.size = {panel.width * panel_count(definition), panel.height};
+  return draw_picture(scene, definition, test::texts_of_program());
+}
+
 // Small pictures: what is tested does not depend on the size.
 constexpr PixelSize small{300, 250};
 
@@ -96,7 +107,7 @@ protected:
 
 TEST_F(PlanPicturesOf100mm, FaceHasTheAskedSizeAndIsNotBlank)
 {
-  const Image image = face_picture(m_scene, FaceState::Before, View::Frontal, {1200, 1000});
+  const Image image = draw(m_scene, {Subject::FaceBefore}, {frontal}, {1200, 1000});
   EXPECT_EQ(width(image), 1200);
   EXPECT_EQ(height(image), 1000);
   EXPECT_GT(share_drawn(image), 0.2);
@@ -105,37 +116,37 @@ TEST_F(PlanPicturesOf100mm, FaceHasTheAskedSizeAndIsNotBlank)
 
 TEST_F(PlanPicturesOf100mm, NothingIsCutOffInAnyView)
 {
-  for (const View view : all_views)
+  for (const View& view : named_views())
   {
-    EXPECT_TRUE(has_clean_border(face_picture(m_scene, FaceState::Target, view, small)));
-    EXPECT_TRUE(has_clean_border(bones_picture(m_scene, BoneState::After, view, small)));
+    EXPECT_TRUE(has_clean_border(draw(m_scene, {Subject::FaceTarget}, {view}, small)));
+    EXPECT_TRUE(has_clean_border(draw(m_scene, {Subject::FragmentsAfter}, {view}, small)));
   }
 }
 
 TEST_F(PlanPicturesOf100mm, StatesDifferAndPicturesRepeatBitForBit)
 {
-  const Image before = face_picture(m_scene, FaceState::Before, View::Lateral, small);
-  const Image target = face_picture(m_scene, FaceState::Target, View::Lateral, small);
-  const Image again = face_picture(m_scene, FaceState::Before, View::Lateral, small);
+  const Image before = draw(m_scene, {Subject::FaceBefore}, {profile}, small);
+  const Image target = draw(m_scene, {Subject::FaceTarget}, {profile}, small);
+  const Image again = draw(m_scene, {Subject::FaceBefore}, {profile}, small);
   EXPECT_GT(differing(before, target), 300);
   EXPECT_EQ(differing(before, again), 0);
 }
 
-TEST(ViewAxesOf, FrontalHasThePatientsRightOnTheLeftAndLateralTheNoseOnTheRight)
+TEST(ViewAxesOf, FrontalHasThePatientsRightOnTheLeftAndTheRightProfileTheNoseOnTheRight)
 {
-  EXPECT_NEAR(view_axes(View::Frontal).right[0], -1, 1e-12);
-  EXPECT_NEAR(view_axes(View::Frontal).towards_viewer[1], 1, 1e-12);
-  EXPECT_NEAR(view_axes(View::Lateral).right[1], 1, 1e-12);
-  EXPECT_NEAR(view_axes(View::Lateral).towards_viewer[0], 1, 1e-12);
-  for (const View view : all_views)
-  {
-    EXPECT_GT(view_axes(view).up[2], 0.9);
-  }
+  EXPECT_NEAR(view_axes(frontal).right[0], -1, 1e-12);
+  EXPECT_NEAR(view_axes(frontal).towards_viewer[1], 1, 1e-12);
+  EXPECT_NEAR(view_axes(profile).right[1], 1, 1e-12);
+  EXPECT_NEAR(view_axes(profile).towards_viewer[0], 1, 1e-12);
+  EXPECT_NEAR(view_axes(*view_named("profile-left")).right[1], -1, 1e-12);
+  EXPECT_NEAR(view_axes(*view_named("top")).towards_viewer[2], 1, 1e-12);
+  EXPECT_LT(view_axes(*view_named("submental")).towards_viewer[2], -0.8);
+  EXPECT_FALSE(view_named("sideways").has_value());
 }
 
 TEST_F(PlanPicturesOf100mm, DistanceMapIsBlueBehindAndRedInFront)
 {
-  const Image image = distance_map_picture(m_scene, {400, 500});
+  const Image image = draw(m_scene, {Subject::DistanceMap}, around, {400, 500});
   EXPECT_EQ(width(image), 3 * 400);
   // Frontal panel: the patient's right, where the prediction lies behind, is on the left.
   const auto upper = [&](int y) { return y > height(image) / 4; };
@@ -155,7 +166,7 @@ TEST_F(PlanPicturesOf100mm, DistanceMapShowsUnknownValuesInGrey)
   PlanPictures plan = toy_plan(100);
   vtkDataArray* distance = plan.predicted->GetPointData()->GetArray(signed_distance_array);
   distance->FillComponent(0, std::numeric_limits<double>::quiet_NaN());
-  const Image image = distance_map_picture(PlanScene(plan), small);
+  const Image image = draw(PlanScene(plan), {Subject::DistanceMap}, around, small);
   EXPECT_GT(share_drawn(image), 0.1);
   EXPECT_EQ(count(image, [&](const Pixel& p, int x, int) { return x < 300 && p.is_blue(); }), 0);
 }
@@ -184,11 +195,11 @@ TEST_F(PlanPicturesOf100mm, SkinThatWasNotComputedIsInTheLegend)
 {
   const PlanScene partly(partly_computed_plan());
   const PixelSize size{400, 500};
-  EXPECT_EQ(no_value_patch(distance_map_picture(m_scene, size)), 0);
-  EXPECT_GT(no_value_patch(distance_map_picture(partly, size)), 60);
-  EXPECT_GT(no_value_patch(face_picture(partly, FaceState::Predicted, View::Frontal, size)), 60);
-  EXPECT_EQ(no_value_patch(face_picture(partly, FaceState::Before, View::Frontal, size)), 0);
-  EXPECT_EQ(no_value_patch(face_picture(m_scene, FaceState::Predicted, View::Frontal, size)), 0);
+  EXPECT_EQ(no_value_patch(draw(m_scene, {Subject::DistanceMap}, around, size)), 0);
+  EXPECT_GT(no_value_patch(draw(partly, {Subject::DistanceMap}, around, size)), 60);
+  EXPECT_GT(no_value_patch(draw(partly, {Subject::FacePredicted}, {frontal}, size)), 60);
+  EXPECT_EQ(no_value_patch(draw(partly, {Subject::FaceBefore}, {frontal}, size)), 0);
+  EXPECT_EQ(no_value_patch(draw(m_scene, {Subject::FacePredicted}, {frontal}, size)), 0);
 }
 
 TEST_F(PlanPicturesOf100mm, SkinThatWasNotComputedIsGreyInThePrediction)
@@ -196,8 +207,8 @@ TEST_F(PlanPicturesOf100mm, SkinThatWasNotComputedIsGreyInThePrediction)
   const PlanScene partly(partly_computed_plan());
   const auto grey = [](const Pixel& p, int, int y)
   { return y > 100 && std::abs(p.red - p.blue) < 6 && p.red < 200 && p.red > 60; };
-  const Image before = face_picture(partly, FaceState::Before, View::Frontal, {400, 500});
-  const Image predicted = face_picture(partly, FaceState::Predicted, View::Frontal, {400, 500});
+  const Image before = draw(partly, {Subject::FaceBefore}, {frontal}, {400, 500});
+  const Image predicted = draw(partly, {Subject::FacePredicted}, {frontal}, {400, 500});
   EXPECT_GT(count(predicted, grey), count(before, grey) + 5000);
 }
 
@@ -214,7 +225,7 @@ TEST_F(PlanPicturesOf100mm, ReachabilityIsDarkWhereMoreIsLeft)
 {
   PlanPictures plan = toy_plan(100);
   add_array(plan.predicted, unreachable_array, [](double r) { return r > 0 ? 6.0 : 0.2; });
-  const Image image = reachability_picture(PlanScene(plan), {400, 500});
+  const Image image = draw(PlanScene(plan), {Subject::Reachability}, around, {400, 500});
   // the patient's right is on the left of the frontal panel
   EXPECT_LT(pixel(image, 140, 260).green, pixel(image, 260, 260).green - 60);
   EXPECT_EQ(no_value_patch(image), 0);
@@ -224,7 +235,7 @@ TEST_F(PlanPicturesOf100mm, RegionsHaveTheirColoursAndNoOthersBetweenThem)
 {
   PlanPictures plan = toy_plan(100);
   add_array(plan.skin, region_array, [](double r) { return r > 0 ? 5 : 9; });
-  const Image image = regions_picture(PlanScene(plan), {400, 500});
+  const Image image = draw(PlanScene(plan), {Subject::Regions}, around, {400, 500});
   const Pixel right = pixel(image, 140, 260), left = pixel(image, 260, 260);
   EXPECT_GT(right.green, right.red + 10) << "cheek";
   EXPECT_GT(left.red, left.green + 10) << "chin";
@@ -235,7 +246,7 @@ TEST_F(PlanPicturesOf100mm, RegionsHaveTheirColoursAndNoOthersBetweenThem)
 
 TEST_F(PlanPicturesOf100mm, TargetRegionIsMarkedWhereTheFaceMoves)
 {
-  const Image image = target_region_picture(m_scene, small);
+  const Image image = draw(m_scene, {Subject::TargetDisplacement}, around, small);
   EXPECT_EQ(width(image), 900);
   const Pixel face = pixel(image, 150, 125);
   const Pixel forehead = pixel(image, 150, 178);
@@ -244,7 +255,8 @@ TEST_F(PlanPicturesOf100mm, TargetRegionIsMarkedWhereTheFaceMoves)
 
 TEST_F(PlanPicturesOf100mm, BonesShowTheFragmentMoved)
 {
-  const Image image = bones_comparison(m_scene, View::Lateral, small);
+  const Image image =
+      draw(m_scene, {Subject::FragmentsBefore, Subject::FragmentsAfter}, {profile}, small);
   EXPECT_EQ(width(image), 600);
   const auto blue_height = [&](int from, int to)
   {
@@ -264,7 +276,7 @@ TEST_F(PlanPicturesOf100mm, BonesShowTheFragmentMoved)
 
 TEST_F(PlanPicturesOf100mm, FaceOverBonesShowsBoth)
 {
-  const Image image = face_over_bones_picture(m_scene, small);
+  const Image image = draw(m_scene, {Subject::FaceOverSkull}, around, small);
   EXPECT_GT(share_drawn(image), 0.1);
   EXPECT_GT(count(image, [](const Pixel& p, int, int) { return p.blue > p.red + 25; }), 100)
       << "the fragment's colour is seen through the skin";
@@ -274,58 +286,69 @@ TEST(PlanPicturesOfASmallHead, FillTheFrameAsWell)
 {
   unsetenv("DISPLAY");
   const OffscreenDisplay display;
-  const Image large =
-      face_picture(PlanScene(toy_plan(100)), FaceState::Before, View::Frontal, small);
-  const Image little =
-      face_picture(PlanScene(toy_plan(25)), FaceState::Before, View::Frontal, small);
+  const Image large = draw(PlanScene(toy_plan(100)), {Subject::FaceBefore}, {frontal}, small);
+  const Image little = draw(PlanScene(toy_plan(25)), {Subject::FaceBefore}, {frontal}, small);
   EXPECT_NEAR(share_drawn(little), share_drawn(large), 0.02);
 }
 
-TEST(WritePlanPictures, WritesEveryPictureAndLeavesNoDisplay)
+// The report's pictures at a size that draws quickly.
+std::vector<WrittenPicture> write_small(const PlanPictures& plan,
+                                        const std::filesystem::path& folder)
+{
+  const PlanScene scene(plan);
+  std::vector<PictureDefinition> definitions = report_pictures(scene);
+  for (PictureDefinition& definition : definitions)
+    definition.size = {480, 200};
+  return write_pictures(scene, definitions, folder, test::texts_of_program());
+}
+
+std::string names_of(const std::vector<WrittenPicture>& pictures)
+{
+  std::string text;
+  for (const WrittenPicture& picture : pictures)
+    text += picture.name + " ";
+  return text;
+}
+
+TEST(WritePictures, WritesEveryPictureWithItsTextsAndLeavesNoDisplay)
 {
   unsetenv("DISPLAY");
   const TemporaryFolder folder;
-  PictureOptions options;
-  options.single = {240, 200};
-  options.panel = {160, 200};
-  const auto written = write_plan_pictures(toy_plan(100), folder.path(), options);
-  EXPECT_EQ(written.size(), 24u);
+  const auto written = write_small(toy_plan(100), folder.path());
+  EXPECT_EQ(names_of(written), "faces_frontal faces_profile_right faces_three_quarter_right "
+                               "target_displacement distance_map fragments_frontal "
+                               "fragments_profile_right fragments_three_quarter_right "
+                               "face_over_skull ");
   EXPECT_EQ(folder.file_count(), written.size());
   for (const WrittenPicture& picture : written)
   {
     vtkNew<vtkPNGReader> reader;
     ASSERT_TRUE(reader->CanReadFile(picture.path.c_str())) << picture.path;
-    EXPECT_EQ(picture.caption.empty(), !picture.belongs_in_report) << picture.name;
+    for (const char* part : {".title", ".caption"})
+      EXPECT_TRUE(test::texts_of_program().has("picture." + picture.name + part)) << picture.name;
   }
   EXPECT_EQ(std::getenv("DISPLAY"), nullptr);
 }
 
-TEST(WritePlanPictures, AddsReachabilityAndRegionsWhereTheyAreKnown)
+TEST(WritePictures, AddsReachabilityAndRegionsWhereTheyAreKnown)
 {
-  unsetenv("DISPLAY");
-  const TemporaryFolder folder;
   PlanPictures plan = toy_plan(100);
-  add_array(plan.predicted, unreachable_array, [](double) { return 1; });
-  add_array(plan.skin, region_array, [](double) { return 0; });
-  PictureOptions options;
-  options.panel = {160, 200};
-  options.singles = false;
   const auto names = [&]
   {
     std::string text;
-    for (const WrittenPicture& picture : write_plan_pictures(plan, folder.path(), options))
-      text += picture.name + " ";
+    for (const PictureDefinition& definition : report_pictures(PlanScene(plan)))
+      text += definition.name + " ";
     return text;
   };
-  std::string drawn = names();
-  EXPECT_NE(drawn.find("reachability "), std::string::npos);
-  EXPECT_EQ(drawn.find("regions "), std::string::npos) << "nothing is known of them";
+  add_array(plan.predicted, unreachable_array, [](double) { return 1; });
+  add_array(plan.skin, region_array, [](double) { return 0; });
+  EXPECT_NE(names().find("reachability "), std::string::npos);
+  EXPECT_EQ(names().find("regions "), std::string::npos) << "nothing is known of them";
   add_array(plan.skin, region_array, [](double) { return 4; });
-  drawn = names();
-  EXPECT_NE(drawn.find("regions "), std::string::npos);
+  EXPECT_NE(names().find("regions "), std::string::npos);
 }
 
-TEST(WritePlanPictures, LeavesOutWhatThereIsNot)
+TEST(WritePictures, LeavesOutWhatThereIsNot)
 {
   unsetenv("DISPLAY");
   const TemporaryFolder folder;
@@ -334,25 +357,77 @@ TEST(WritePlanPictures, LeavesOutWhatThereIsNot)
   plan.predicted = nullptr;
   plan.cut_planes = nullptr;
   plan.fragments.clear();
-  PictureOptions options;
-  options.panel = {160, 200};
-  options.singles = false;
-  EXPECT_EQ(write_plan_pictures(plan, folder.path(), options).size(), 7u);
+  EXPECT_EQ(write_small(plan, folder.path()).size(), 7u);
 }
 
-TEST(WritePlanPictures, UnwritableFolderIsNamed)
+TEST(WritePictures, UnwritableFolderIsNamed)
 {
   unsetenv("DISPLAY");
   const TemporaryFolder folder;
   try
   {
-    write_plan_pictures(toy_plan(100), folder.path() / "none");
+    write_small(toy_plan(100), folder.path() / "none");
     ADD_FAILURE();
   }
   catch (const Error& error)
   {
     EXPECT_NE(std::string(error.what()).find((folder.path() / "none").string()), std::string::npos);
   }
+}
+
+TEST_F(PlanPicturesOf100mm, WhatTheCaseLacksIsNamedBeforeAnythingIsWritten)
+{
+  const TemporaryFolder folder;
+  const PictureDefinition good{"good", {Subject::FaceBefore}, {frontal}, small, {}, 0, {}};
+  PictureDefinition bad = good;
+  bad.show = {Subject::CtAxial};
+  try
+  {
+    write_pictures(m_scene, {good, bad}, folder.path(), test::texts_of_program());
+    ADD_FAILURE();
+  }
+  catch (const Error& error)
+  {
+    EXPECT_NE(std::string(error.what()).find("'ct-axial': the case has no CT"), std::string::npos);
+  }
+  EXPECT_EQ(folder.file_count(), 0u);
+}
+
+TEST_F(PlanPicturesOf100mm, TransparentBackgroundKeepsTheFaceAndItsColours)
+{
+  const Image light = draw(m_scene, {Subject::FaceBefore}, {frontal}, small, Background::White);
+  const Image clear =
+      draw(m_scene, {Subject::FaceBefore}, {frontal}, small, Background::Transparent);
+  ASSERT_EQ(clear->GetNumberOfScalarComponents(), 4);
+  const auto* corner = static_cast<const unsigned char*>(clear->GetScalarPointer(0, 0, 0));
+  const auto* nose = static_cast<const unsigned char*>(clear->GetScalarPointer(150, 125, 0));
+  EXPECT_EQ(corner[3], 0);
+  EXPECT_EQ(nose[3], 255);
+  EXPECT_EQ(nose[0], pixel(light, 150, 125).red);
+}
+
+TEST_F(PlanPicturesOf100mm, DarkBackgroundHasLightLetters)
+{
+  const Image image = draw(m_scene, {Subject::FaceBefore}, {frontal}, {400, 400}, Background::Dark);
+  EXPECT_LT(pixel(image, 1, 1).red, 40);
+  EXPECT_GT(count(image, [](const Pixel& p, int x, int y)
+                  { return x < 250 && y > 370 && p.red > 200 && p.blue > 200; }),
+            20);
+}
+
+TEST_F(PlanPicturesOf100mm, StatedDensityIsInTheFile)
+{
+  const TemporaryFolder folder;
+  PictureDefinition definition{"dense", {Subject::FaceBefore}, {frontal}, small, {}, 300, {}};
+  write_pictures(m_scene, {definition}, folder.path(), test::texts_of_program());
+  const std::string bytes = test::read_text(folder.path() / "dense.png");
+  const std::size_t at = bytes.find("pHYs");
+  ASSERT_EQ(at, 37u);
+  EXPECT_EQ(bytes.substr(at + 4, 4), std::string("\0\0\x2e\x23", 4)); // 11811 a metre
+  vtkNew<vtkPNGReader> reader;
+  reader->SetFileName((folder.path() / "dense.png").c_str());
+  reader->Update();
+  EXPECT_EQ(reader->GetOutput()->GetDimensions()[0], small.width);
 }
 
 std::string error_of(const PlanPictures& plan)
