@@ -1,0 +1,3 @@
+#pragma once
+
+#define VTK_SLICER_BASE_LOGIC_EXPORT

@@ -1,0 +1,10 @@
+#include "vtkMRMLLabelMapVolumeDisplayNode.h"
+
+#include <vtkObjectFactory.h>
+
+vtkMRMLNodeNewMacro(vtkMRMLLabelMapVolumeDisplayNode);
+
+void vtkMRMLLabelMapVolumeDisplayNode::SetDefaultColorMap()
+{
+  this->SetAndObserveColorNodeID("vtkMRMLColorTableNodeLabels");
+}

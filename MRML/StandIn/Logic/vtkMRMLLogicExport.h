@@ -1,0 +1,3 @@
+#pragma once
+
+#define VTK_MRML_LOGIC_EXPORT

@@ -1,0 +1,3 @@
+#pragma once
+
+#define VTK_SLICER_MARKUPS_MODULE_MRML_EXPORT
