@@ -100,7 +100,7 @@ void vtkMRMLNode::ReadXMLAttributes(const char** atts)
   vtkMRMLReadXMLBooleanMacro(selected, Selected);
   vtkMRMLReadXMLStringMacro(singletonTag, SingletonTag);
   vtkMRMLReadXMLBooleanMacro(undoEnabled, UndoEnabled);
-  if (xmlReadAttName == "attributes")
+  if (!std::strcmp(xmlReadAttName, "attributes"))
   {
     for (const std::string& entry : vtksys::SystemTools::SplitString(xmlReadAttValue, ';'))
     {
@@ -117,13 +117,13 @@ void vtkMRMLNode::ReadXMLAttributes(const char** atts)
   // An attribute of its own for each role is Slicer 4's way; "references" goes before it.
   std::set<std::string> references;
   vtkMRMLReadXMLBeginMacro(atts);
-  if (xmlReadAttName == "references")
+  if (!std::strcmp(xmlReadAttName, "references"))
   {
     this->ParseReferencesAttribute(xmlReadAttValue, references);
   }
   vtkMRMLReadXMLEndMacro();
   vtkMRMLReadXMLBeginMacro(atts);
-  const char* found = this->GetReferenceRoleFromMRMLAttributeName(xmlReadAttName.c_str());
+  const char* found = this->GetReferenceRoleFromMRMLAttributeName(xmlReadAttName);
   const std::string role = found ? found : "";
   if (found && references.count(role) == 0)
   {

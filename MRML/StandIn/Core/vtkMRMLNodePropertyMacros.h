@@ -6,6 +6,7 @@
 #include <vtkNew.h>
 #include <vtksys/SystemTools.hxx>
 
+#include <cstring>
 #include <string>
 #include <vector>
 
@@ -112,19 +113,19 @@
 #define vtkMRMLReadXMLBeginMacro(atts)                                                             \
   for (const char** xmlReadAtts = atts; xmlReadAtts[0] && xmlReadAtts[1]; xmlReadAtts += 2)        \
   {                                                                                                \
-    const std::string xmlReadAttName = xmlReadAtts[0];                                             \
+    const char* xmlReadAttName = xmlReadAtts[0];                                                   \
     const char* xmlReadAttValue = xmlReadAtts[1];
 
 #define vtkMRMLReadXMLEndMacro() }
 
 #define vtkMRMLReadXMLBooleanMacro(xmlAttributeName, propertyName)                                 \
-  if (xmlReadAttName == #xmlAttributeName)                                                         \
+  if (!std::strcmp(xmlReadAttName, #xmlAttributeName))                                              \
   {                                                                                                \
     this->Set##propertyName(std::string(xmlReadAttValue) == "true");                               \
   }
 
 #define vtkMRMLReadXMLStringMacro(xmlAttributeName, propertyName)                                  \
-  if (xmlReadAttName == #xmlAttributeName)                                                         \
+  if (!std::strcmp(xmlReadAttName, #xmlAttributeName))                                              \
   {                                                                                                \
     this->Set##propertyName(xmlReadAttValue);                                                      \
   }
@@ -133,7 +134,7 @@
   vtkMRMLReadXMLStringMacro(xmlAttributeName, propertyName)
 
 #define vtkMRMLReadXMLEnumMacro(xmlAttributeName, propertyName)                                    \
-  if (xmlReadAttName == #xmlAttributeName)                                                         \
+  if (!std::strcmp(xmlReadAttName, #xmlAttributeName))                                              \
   {                                                                                                \
     const int xmlEnum = this->Get##propertyName##FromString(xmlReadAttValue);                      \
     if (xmlEnum >= 0)                                                                              \
@@ -147,7 +148,7 @@
   }
 
 #define vtkMRMLReadXMLIntMacro(xmlAttributeName, propertyName)                                     \
-  if (xmlReadAttName == #xmlAttributeName)                                                         \
+  if (!std::strcmp(xmlReadAttName, #xmlAttributeName))                                              \
   {                                                                                                \
     double xmlNumber = 0.0;                                                                        \
     if (vtkMRMLNumberFromText(xmlReadAttValue, xmlNumber))                                         \
@@ -161,7 +162,7 @@
   }
 
 #define vtkMRMLReadXMLFloatMacro(xmlAttributeName, propertyName)                                   \
-  if (xmlReadAttName == #xmlAttributeName)                                                         \
+  if (!std::strcmp(xmlReadAttName, #xmlAttributeName))                                              \
   {                                                                                                \
     double xmlNumber = 0.0;                                                                        \
     if (vtkMRMLNumberFromText(xmlReadAttValue, xmlNumber))                                         \
@@ -175,7 +176,7 @@
   }
 
 #define vtkMRMLReadXMLVectorMacro(xmlAttributeName, propertyName, vectorType, vectorSize)          \
-  if (xmlReadAttName == #xmlAttributeName)                                                         \
+  if (!std::strcmp(xmlReadAttName, #xmlAttributeName))                                              \
   {                                                                                                \
     vectorType xmlVector[vectorSize] = {};                                                         \
     const char* xmlRest = xmlReadAttValue;                                                         \
@@ -191,7 +192,7 @@
   }
 
 #define vtkMRMLReadXMLStdFloatVectorMacro(xmlAttributeName, propertyName, vectorType)              \
-  if (xmlReadAttName == #xmlAttributeName)                                                         \
+  if (!std::strcmp(xmlReadAttName, #xmlAttributeName))                                              \
   {                                                                                                \
     vectorType xmlVector;                                                                          \
     const char* xmlRest = xmlReadAttValue;                                                         \
@@ -204,7 +205,7 @@
   }
 
 #define vtkMRMLReadXMLStdIntVectorMacro(xmlAttributeName, propertyName, vectorType)                \
-  if (xmlReadAttName == #xmlAttributeName)                                                         \
+  if (!std::strcmp(xmlReadAttName, #xmlAttributeName))                                              \
   {                                                                                                \
     vectorType xmlVector;                                                                          \
     const char* xmlRest = xmlReadAttValue;                                                         \
@@ -217,7 +218,7 @@
   }
 
 #define vtkMRMLReadXMLStdStringVectorMacro(xmlAttributeName, propertyName, vectorType)             \
-  if (xmlReadAttName == #xmlAttributeName)                                                         \
+  if (!std::strcmp(xmlReadAttName, #xmlAttributeName))                                              \
   {                                                                                                \
     vectorType<std::string> xmlVector;                                                             \
     for (std::string xmlText : vtksys::SystemTools::SplitString(xmlReadAttValue, ';'))             \
@@ -231,7 +232,7 @@
 
 /// "Owned": the node holds the matrix for ever, and only its elements change.
 #define vtkMRMLReadXMLOwnedMatrix4x4Macro(xmlAttributeName, propertyName)                          \
-  if (xmlReadAttName == #xmlAttributeName)                                                         \
+  if (!std::strcmp(xmlReadAttName, #xmlAttributeName))                                              \
   {                                                                                                \
     vtkNew<vtkMatrix4x4> xmlMatrix;                                                                \
     const char* xmlRest = xmlReadAttValue;                                                         \

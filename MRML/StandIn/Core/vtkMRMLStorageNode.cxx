@@ -72,11 +72,11 @@ void vtkMRMLStorageNode::ReadXMLAttributes(const char** atts)
   this->Superclass::ReadXMLAttributes(atts);
   this->ResetFileNameList();
   vtkMRMLReadXMLBeginMacro(atts);
-  if (xmlReadAttName == "fileName" && *xmlReadAttValue)
+  if (!std::strcmp(xmlReadAttName, "fileName") && *xmlReadAttValue)
   {
     this->SetFileName(this->AbsoluteName(this->URLDecodeString(xmlReadAttValue)).c_str());
   }
-  if (xmlReadAttName.rfind("fileListMember", 0) == 0)
+  if (!std::strncmp(xmlReadAttName, "fileListMember", std::strlen("fileListMember")))
   {
     const std::string name = this->URLDecodeString(xmlReadAttValue);
     // Empty names count: they keep the others' places.

@@ -31,7 +31,7 @@ void vtkMRMLTransformNode::ReadXMLAttributes(const char** atts)
   MRMLNodeModifyBlocker blocker(this);
   this->Superclass::ReadXMLAttributes(atts);
   vtkMRMLReadXMLBeginMacro(atts);
-  if (xmlReadAttName == "matrixTransformToParent")
+  if (!std::strcmp(xmlReadAttName, "matrixTransformToParent"))
   {
     vtkNew<vtkMatrix4x4> matrix;
     const char* rest = xmlReadAttValue;

@@ -11,7 +11,7 @@ void vtkMRMLUnknownNode::ReadXMLAttributes(const char** atts)
   this->Superclass::ReadXMLAttributes(atts);
   this->Files.clear();
   vtkMRMLReadXMLBeginMacro(atts);
-  const bool isFile = xmlReadAttName == "fileName" || xmlReadAttName.rfind("fileListMember", 0) == 0;
+  const bool isFile = !std::strcmp(xmlReadAttName, "fileName") || !std::strncmp(xmlReadAttName, "fileListMember", std::strlen("fileListMember"));
   if (isFile && *xmlReadAttValue)
   {
     const std::string name = this->URLDecodeString(xmlReadAttValue);

@@ -49,7 +49,7 @@ void vtkMRMLVolumeNode::ReadXMLAttributes(const char** atts)
   vtkMRMLReadXMLBeginMacro(atts);
   vtkMRMLReadXMLVectorMacro(spacing, Spacing, double, 3);
   vtkMRMLReadXMLVectorMacro(origin, Origin, double, 3);
-  if (xmlReadAttName == "ijkToRASDirections")
+  if (!std::strcmp(xmlReadAttName, "ijkToRASDirections"))
   {
     double directions[3][3] = {};
     const char* rest = xmlReadAttValue;
