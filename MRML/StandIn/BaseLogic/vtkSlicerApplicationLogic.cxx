@@ -1,0 +1,5 @@
+#include "vtkSlicerApplicationLogic.h"
+
+#include <vtkObjectFactory.h>
+
+vtkStandardNewMacro(vtkSlicerApplicationLogic);
