@@ -7,6 +7,15 @@
 #include "vtkMRMLLabelMapVolumeDisplayNode.h"
 #include "vtkMRMLLabelMapVolumeNode.h"
 #include "vtkMRMLLinearTransformNode.h"
+#include "vtkMRMLMarkupsClosedCurveNode.h"
+#include "vtkMRMLMarkupsCurveNode.h"
+#include "vtkMRMLMarkupsDisplayNode.h"
+#include "vtkMRMLMarkupsFiducialDisplayNode.h"
+#include "vtkMRMLMarkupsFiducialNode.h"
+#include "vtkMRMLMarkupsJsonStorageNode.h"
+#include "vtkMRMLMarkupsPlaneDisplayNode.h"
+#include "vtkMRMLMarkupsPlaneJsonStorageNode.h"
+#include "vtkMRMLMarkupsPlaneNode.h"
 #include "vtkMRMLModelDisplayNode.h"
 #include "vtkMRMLModelNode.h"
 #include "vtkMRMLModelStorageNode.h"
@@ -29,6 +38,15 @@ void vtkMRMLScene::RegisterOwnNodeClasses()
   add(vtkSmartPointer<vtkMRMLLabelMapVolumeDisplayNode>::New());
   add(vtkSmartPointer<vtkMRMLLabelMapVolumeNode>::New());
   add(vtkSmartPointer<vtkMRMLLinearTransformNode>::New());
+  add(vtkSmartPointer<vtkMRMLMarkupsClosedCurveNode>::New());
+  add(vtkSmartPointer<vtkMRMLMarkupsCurveNode>::New());
+  add(vtkSmartPointer<vtkMRMLMarkupsDisplayNode>::New());
+  add(vtkSmartPointer<vtkMRMLMarkupsFiducialDisplayNode>::New());
+  add(vtkSmartPointer<vtkMRMLMarkupsFiducialNode>::New());
+  add(vtkSmartPointer<vtkMRMLMarkupsJsonStorageNode>::New());
+  add(vtkSmartPointer<vtkMRMLMarkupsPlaneDisplayNode>::New());
+  add(vtkSmartPointer<vtkMRMLMarkupsPlaneJsonStorageNode>::New());
+  add(vtkSmartPointer<vtkMRMLMarkupsPlaneNode>::New());
   add(vtkSmartPointer<vtkMRMLModelDisplayNode>::New());
   add(vtkSmartPointer<vtkMRMLModelNode>::New());
   add(vtkSmartPointer<vtkMRMLModelStorageNode>::New());
@@ -39,6 +57,7 @@ void vtkMRMLScene::RegisterOwnNodeClasses()
   add(vtkSmartPointer<vtkMRMLTransformStorageNode>::New());
   add(vtkSmartPointer<vtkMRMLVolumeArchetypeStorageNode>::New());
   this->RegisterAbstractNodeClass("vtkMRMLVolumeNode", "Volume");
+  this->RegisterAbstractNodeClass("vtkMRMLMarkupsNode", "Markup");
 }
 
 void vtkMRMLScene::RegisterNodeClass(vtkMRMLNode* node)

@@ -1,0 +1,10 @@
+#include "vtkMRMLMarkupsClosedCurveNode.h"
+
+#include <vtkObjectFactory.h>
+
+vtkMRMLNodeNewMacro(vtkMRMLMarkupsClosedCurveNode);
+
+vtkMRMLMarkupsClosedCurveNode::vtkMRMLMarkupsClosedCurveNode()
+{
+  this->CurveClosed = true;
+}

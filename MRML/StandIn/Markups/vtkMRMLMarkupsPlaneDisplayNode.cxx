@@ -1,0 +1,10 @@
+#include "vtkMRMLMarkupsPlaneDisplayNode.h"
+
+#include <vtkObjectFactory.h>
+
+vtkMRMLNodeNewMacro(vtkMRMLMarkupsPlaneDisplayNode);
+
+vtkMRMLMarkupsPlaneDisplayNode::vtkMRMLMarkupsPlaneDisplayNode()
+{
+  this->SetHandlesInteractive(true);
+}
