@@ -8,11 +8,12 @@
 
 #include <archive.h>
 #include <archive_entry.h>
+#include <locale.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <fstream>
 #include <memory>
-#include <sys/stat.h>
 
 vtkStandardNewMacro(vtkArchive);
 
@@ -22,6 +23,31 @@ namespace
 using Reader = std::unique_ptr<archive, decltype(&archive_read_free)>;
 using Writer = std::unique_ptr<archive, decltype(&archive_write_free)>;
 using Entry = std::unique_ptr<archive_entry, decltype(&archive_entry_free)>;
+
+/// libarchive turns names into the thread's locale and back; in "C" it gives up at an umlaut.
+class Utf8Locale
+{
+public:
+  Utf8Locale()
+    : Utf8(newlocale(LC_CTYPE_MASK, "C.UTF-8", nullptr)),
+      Before(this->Utf8 ? uselocale(this->Utf8) : nullptr)
+  {
+  }
+  ~Utf8Locale()
+  {
+    if (this->Utf8)
+    {
+      uselocale(this->Before);
+      freelocale(this->Utf8);
+    }
+  }
+  Utf8Locale(const Utf8Locale&) = delete;
+  void operator=(const Utf8Locale&) = delete;
+
+private:
+  locale_t Utf8;
+  locale_t Before;
+};
 
 Reader OpenZip(const char* path)
 {
@@ -124,6 +150,7 @@ bool ExtractFile(archive* reader, const std::string& path)
 
 bool vtkArchive::Zip(const char* zipFileName, const char* directoryToZip)
 {
+  const Utf8Locale locale;
   const std::string folder = vtksys::SystemTools::CollapseFullPath(directoryToZip);
   const std::string temporary = vtkMRMLSavedFiles::Temporary(zipFileName);
   std::vector<std::string> files;
@@ -150,6 +177,7 @@ bool vtkArchive::Zip(const char* zipFileName, const char* directoryToZip)
 
 bool vtkArchive::UnZip(const char* zipFileName, const char* destinationDirectory)
 {
+  const Utf8Locale locale;
   const Reader reader = OpenZip(zipFileName);
   if (!reader || !vtksys::SystemTools::MakeDirectory(destinationDirectory))
   {
@@ -178,6 +206,7 @@ bool vtkArchive::UnZip(const char* zipFileName, const char* destinationDirectory
 
 bool vtkArchive::ListArchive(const char* archiveName, std::vector<std::string>& files)
 {
+  const Utf8Locale locale;
   const Reader reader = OpenZip(archiveName);
   archive_entry* entry = nullptr;
   int result = reader ? ARCHIVE_OK : ARCHIVE_FATAL;

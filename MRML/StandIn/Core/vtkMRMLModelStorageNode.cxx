@@ -62,7 +62,9 @@ vtkSmartPointer<vtkPointSet> Read(Reader* reader, const std::string& path,
   messages->SetObservedObject(reader);
   reader->Update();
   messages->SetObservedObject(nullptr);
-  return vtkPointSet::SafeDownCast(reader->GetOutputDataObject(0));
+  auto* mesh = vtkPointSet::SafeDownCast(reader->GetOutputDataObject(0));
+  // Readers give what they have of a damaged file; not all of them say so. Empty models are not saved.
+  return mesh && mesh->GetNumberOfPoints() > 0 && reader->GetErrorCode() == 0 ? mesh : nullptr;
 }
 
 template <class Reader>
@@ -194,7 +196,7 @@ int vtkMRMLModelStorageNode::ReadDataInternal(vtkMRMLNode* refNode)
     return 0;
   }
   this->CoordinateSystem = frame >= 0 ? frame : this->CoordinateSystem;
-  if (this->CoordinateSystem == CoordinateSystemLPS && mesh->GetNumberOfPoints() > 0)
+  if (this->CoordinateSystem == CoordinateSystemLPS)
   {
     const auto flipped = vtkSmartPointer<vtkPointSet>::Take(mesh->NewInstance());
     ConvertBetweenRASAndLPS(mesh, flipped);

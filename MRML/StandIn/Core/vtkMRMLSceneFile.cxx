@@ -243,9 +243,21 @@ void vtkMRMLScene::AddLoadedNodes(vtkCollection* loaded, vtkMRMLMessageCollectio
     auto* node = static_cast<vtkMRMLNode*>(added->GetItemAsObject(n));
     if (node->GetScene() == this && node->GetAddToScene())
     {
+      const int errors = messages->GetNumberOfMessagesOfType(vtkCommand::ErrorEvent);
       messages->SetObservedObject(node);
       node->UpdateScene(this);
       messages->SetObservedObject(nullptr);
+      auto* storable = vtkMRMLStorableNode::SafeDownCast(node);
+      vtkMRMLStorageNode* storage = storable ? storable->GetStorageNode() : nullptr;
+      // VTK's events are not sent where its messages are turned off.
+      if (storage && storage->FailedTime > storage->StoredTime
+          && messages->GetNumberOfMessagesOfType(vtkCommand::ErrorEvent) == errors)
+      {
+        messages->AddMessage(vtkCommand::ErrorEvent,
+                             std::string("The data of '") + node->GetName()
+                               + "' could not be read:\n"
+                               + storage->GetUserMessages()->GetAllMessagesAsString());
+      }
     }
   }
   this->Modified();
