@@ -272,7 +272,9 @@ const std::vector<std::string>& case_file_names()
                                                  "export.inp",
                                                  "export.feb",
                                                  "export.vtu",
-                                                 "report.html"};
+                                                 "report.html",
+                                                 "report.json",
+                                                 "report.pdf"};
   return names;
 }
 

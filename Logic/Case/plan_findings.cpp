@@ -72,10 +72,22 @@ std::vector<BoneMeeting> MovedBones::meetings(const std::vector<RigidMotion>& mo
   return list;
 }
 
-int MovedBones::fragment_under(const std::string& tooth) const
+int MovedBones::fragment_under(const std::string& landmark) const
 {
-  const unsigned char label = nearest_bone(m_parts, bone_of_tooth(m_landmarks, tooth));
+  const auto& teeth = tooth_landmarks();
+  const bool is_tooth = std::count(teeth.begin(), teeth.end(), landmark) > 0;
+  const Vec3 at = is_tooth ? bone_of_tooth(m_landmarks, landmark) : m_landmarks.at(landmark);
+  const unsigned char label = nearest_bone(m_parts, at);
   return label - BonePartition::first_fragment;
+}
+
+Landmarks MovedBones::moved_landmarks(const std::vector<RigidMotion>& motions) const
+{
+  Landmarks moved = m_landmarks;
+  for (auto& [name, position] : moved)
+    if (const int f = fragment_under(name); f >= 0)
+      position = motions.at(static_cast<std::size_t>(f)).apply(position);
+  return moved;
 }
 
 json MovedBones::bite_at_rest() const

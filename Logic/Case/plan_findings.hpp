@@ -34,8 +34,11 @@ public:
   /// The figures after a movement; null where landmarks are missing.
   nlohmann::json bite_after(const std::vector<RigidMotion>& motions) const;
 
+  /// Every landmark where a movement takes the bone that carries it.
+  Landmarks moved_landmarks(const std::vector<RigidMotion>& motions) const;
+
 private:
-  int fragment_under(const std::string& tooth) const;
+  int fragment_under(const std::string& landmark) const;
 
   ScalarGrid m_bone;
   LabelGrid m_parts;

@@ -1,13 +1,18 @@
 #include "Bridge/json_file.hpp"
 #include "Case/case_pictures.hpp"
 #include "Case/case_texts.hpp"
-#include "Case/plan_findings.hpp"
+#include "Case/cephalometry_case.hpp"
+#include "Case/report_facts.hpp"
+#include "Case/report_results.hpp"
+#include "Case/table_files.hpp"
 #include "Case/verbs.hpp"
-#include "Core/error.hpp"
+#include "Case/viewer_sources.hpp"
+#include "Rendering/atomic_file.hpp"
 #include "Rendering/html_report.hpp"
+#include "Rendering/pdf_report.hpp"
 #include "Rendering/plan_pictures.hpp"
 
-#include <cstdio>
+#include <future>
 
 namespace f2b
 {
@@ -16,207 +21,162 @@ namespace
 
 using nlohmann::json;
 
-std::string number(double value, int decimals)
+/// Texts with one key and a number at its end: "limitation.1", "limitation.2", ...
+std::vector<std::string> numbered(const std::string& key, const Texts& texts)
 {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.*f", decimals, value);
-  return text;
-}
-
-ReportFragment report_fragment(const json& f)
-{
-  const json& t = f.at("translation_mm");
-  const json& r = f.at("rotation_deg");
-  ReportFragment fragment;
-  fragment.name = f.at("name").get<std::string>();
-  fragment.reference_point_ras = vec3_from(f.at("reference_point_ras"));
-  fragment.translation_ras_mm = {t.at("right").get<double>(), t.at("anterior").get<double>(),
-                                 t.at("superior").get<double>()};
-  fragment.rotation_deg = {r.at("pitch").get<double>(), r.at("roll").get<double>(),
-                           r.at("yaw").get<double>()};
-  return fragment;
-}
-
-ReportSkinError report_error(const json& e)
-{
-  ReportSkinError error;
-  const std::pair<const char*, double*> fields[] = {{"mean", &error.mean},
-                                                    {"sd", &error.sd},
-                                                    {"variance", &error.variance},
-                                                    {"median", &error.median},
-                                                    {"p90", &error.p90},
-                                                    {"p95", &error.p95},
-                                                    {"max", &error.max},
-                                                    {"under_1mm", &error.under_1mm},
-                                                    {"under_2mm", &error.under_2mm},
-                                                    {"signed_mean", &error.signed_mean}};
-  for (const auto& [key, field] : fields)
-    *field = e.at(key).get<double>();
-  return error;
-}
-
-std::vector<ReportMethod> report_methods(const json& plan)
-{
-  const std::pair<const char*, const char*> known[] = {
-      {"rigid-fit", "Six degrees of freedom per fragment, fitted to the target face under the "
-                    "tissue's equilibrium. The default."},
-      {"virtual-force",
-       "The paper's method: the skin is pulled to the target and the bone's contact surface is "
-       "registered. Biased towards too little movement, shown for comparison."}};
-  std::vector<ReportMethod> methods;
-  for (const auto& [name, note] : known)
-  {
-    const json& m = plan.at("methods").at(name);
-    ReportMethod method;
-    method.name = name;
-    method.note = note;
-    for (const json& fragment : m.at("fragments"))
-      method.fragments.push_back(report_fragment(fragment));
-    method.skin_error_mm = report_error(m.at("skin_error_mm"));
-    if (m.contains("load_residual_mm"))
-      method.load_residual_mm = m.at("load_residual_mm").at("mean").get<double>();
-    methods.push_back(std::move(method));
-  }
-  return methods;
-}
-
-std::vector<ReportRegion> report_regions(const json& plan)
-{
-  const json& errors = plan.at("methods").at("rigid-fit").at("skin_error_mm").at("by_region");
-  const json& reach = plan.at("reachability").at("regions");
-  std::vector<ReportRegion> regions;
-  for (const FaceRegion region : all_face_regions())
-  {
-    const std::string key = key_of(region);
-    if (!errors.contains(key))
-      continue;
-    ReportRegion row;
-    row.name = name_of(region);
-    row.error_mean = errors.at(key).at("mean").get<double>();
-    row.error_p90 = errors.at(key).at("p90").get<double>();
-    if (reach.contains(key))
-    {
-      row.asked_p90 = reach.at(key).at("asked_mm").at("p90").get<double>();
-      row.left_p90 = reach.at(key).at("left_mm").at("p90").get<double>();
-    }
-    regions.push_back(std::move(row));
-  }
-  return regions;
-}
-
-std::vector<ReportFact> facts_of(const std::vector<std::pair<std::string, std::string>>& rows)
-{
-  std::vector<ReportFact> facts;
-  for (const auto& [key, value] : rows)
-    facts.push_back({key, value});
-  return facts;
-}
-
-std::vector<ReportFact> case_facts(const CaseSession& session, const json& plan)
-{
-  const json segment = read_json(session.folder.require("segment.json", "segment"));
-  const json target = read_json(session.folder.require("target.json", "target"));
-  const json cut = read_json(session.folder.require("cut.json", "cut"));
-  std::string fragments;
-  for (const json& f : cut.at("fragments"))
-    fragments += (fragments.empty() ? "" : ", ") + f.at("name").get<std::string>() + " (" +
-                 number(f.at("volume_mm3").get<double>() / 1000, 1) + " cm³)";
-  return {{"CT", session.settings.ct.filename().string()},
-          {"Skin threshold", number(segment.at("skin_threshold_hu"), 0) + " HU"},
-          {"Bone threshold", number(segment.at("bone_threshold_hu"), 0) + " HU"},
-          {"Fragments", fragments},
-          {"Target", target.at("kind").get<std::string>() + ", moves the skin by up to " +
-                         number(target.at("peak_displacement_mm"), 1) + " mm"},
-          {"Materials", plan.at("materials").get<std::string>()}};
-}
-
-std::vector<ReportFact> mesh_facts(const json& mesh)
-{
-  const json& skin = mesh.at("skin_to_ct_mm");
-  return {{"Prisms (skin)", std::to_string(mesh.at("prisms").get<int>())},
-          {"Tetrahedra (fat, muscle)", std::to_string(mesh.at("tets").get<int>())},
-          {"Nodes", std::to_string(mesh.at("nodes").get<int>())},
-          {"Degrees of freedom", std::to_string(mesh.at("dofs").get<int>())},
-          {"Smallest dihedral angle", number(mesh.at("min_dihedral_deg"), 1) + "°"},
-          {"Smallest scaled Jacobian of a prism", number(mesh.at("min_prism_scaled_jacobian"), 2)},
-          {"Mesh skin to CT skin", "95 % within " + number(skin.at("p95"), 2) + " mm, largest " +
-                                       number(skin.at("max"), 2) + " mm"}};
-}
-
-std::string joined(const json& words, const char* between)
-{
-  std::string text;
-  for (const json& word : words)
-    text += (text.empty() ? "" : between) + word.get<std::string>();
-  return text;
-}
-
-void add_suggestions(ReportContent& content, const json& suggested)
-{
-  for (const json& s : suggested.at("suggestions"))
-  {
-    ReportSuggestion line;
-    line.cuts = joined(s.at("cuts"), " + ");
-    line.reached = number(100 * s.at("reached").get<double>(), 0) + " %";
-    line.rms_left = number(s.at("rms_left_mm"), 2) + " mm";
-    for (const json& f : s.at("fragments"))
-      line.movement += (line.movement.empty() ? "" : ". ") + f.at("name").get<std::string>() +
-                       ": " + f.at("movement").get<std::string>();
-    content.suggestions.push_back(std::move(line));
-  }
-  content.suggestions_note =
-      "To first order about rest, of a target of " + number(suggested.at("target_rms_mm"), 2) +
-      " mm RMS. One more cut must reach " +
-      number(100 * suggested.at("criterion").at("cost_of_cut").get<double>(), 0) +
-      " % more to rank higher.";
-  for (const json& n : suggested.at("not_possible"))
-    content.suggestions_note += " Not possible: " + joined(n.at("cuts"), " + ") + ".";
-}
-
-std::vector<std::string> warnings(const CaseSession& session, const json& plan)
-{
-  std::vector<std::string> list = plan.at("warnings").get<std::vector<std::string>>();
-  const json segment = read_json(session.folder.require("segment.json", "segment"));
-  for (const json& note : segment.at("notes"))
-    list.push_back(note.get<std::string>());
+  std::vector<std::string> list;
+  for (int i = 1; texts.has(key + std::to_string(i)); ++i)
+    list.push_back(texts(key + std::to_string(i)));
   return list;
+}
+
+ReportSection picture_section(const std::vector<WrittenPicture>& pictures, const Texts& texts)
+{
+  ReportSection section;
+  section.heading = texts("section.pictures");
+  for (const WrittenPicture& p : pictures)
+    section.pictures.push_back(
+        {texts("picture." + p.name + ".title"), texts("picture." + p.name + ".caption"), p.path});
+  return section;
+}
+
+std::vector<std::string> warnings_of(const CaseFolder& folder, const json& plan)
+{
+  auto list = plan.at("warnings").get<std::vector<std::string>>();
+  if (folder.has("predict.json"))
+    for (const json& warning : read_json(folder.file("predict.json")).at("warnings"))
+      list.push_back("predict: " + warning.get<std::string>());
+  return list;
+}
+
+/// One run of the verb.
+class Reporting
+{
+public:
+  Reporting(CaseSession& session, const ReportOptions& options)
+      : m_session(session), m_options(options), m_folder(session.folder),
+        m_texts(case_texts(options.texts)),
+        m_plan(read_json(m_folder.require("plan.json", "plan"))), m_change(session.folder),
+        m_scene(case_pictures(m_folder, {true, true}))
+  {
+  }
+
+  void draw();
+  void write();
+
+private:
+  void compose(std::vector<std::string> warnings);
+  void write_tables() const;
+  std::string write_print(const ReportDocument& document) const;
+
+  CaseSession& m_session;
+  const ReportOptions& m_options;
+  const CaseFolder& m_folder;
+  Texts m_texts;
+  json m_plan, m_cephalometry;
+  CaseChange m_change;
+  PlanScene m_scene;
+  std::vector<WrittenPicture> m_pictures;
+  ReportDocument m_document;
+};
+
+void Reporting::draw()
+{
+  m_session.progress("drawing pictures", 0.1);
+  const Path folder = m_change.file("pictures/x").parent_path();
+  m_pictures = write_pictures(m_scene, report_pictures(m_scene), folder, m_texts);
+  m_cephalometry = cephalometry_of(m_folder, m_plan);
+}
+
+void Reporting::compose(std::vector<std::string> warnings)
+{
+  m_document = {};
+  m_document.language = m_texts("language");
+  m_document.title = m_texts("title");
+  m_document.case_line = m_texts("case-line", {{"name", m_session.settings.name}});
+  m_document.disclaimer = m_texts("disclaimer");
+  m_document.disclaimer_detail = m_texts("disclaimer.detail");
+  auto& sections = m_document.sections;
+  if (!warnings.empty())
+  {
+    sections.emplace_back();
+    sections.back().heading = m_texts("section.warnings");
+    sections.back().points = std::move(warnings);
+    sections.back().kind = ReportSection::Kind::Warning;
+  }
+  ReportSection limitations;
+  limitations.heading = m_texts("section.limitations");
+  limitations.points = numbered("limitation.", m_texts);
+  limitations.kind = ReportSection::Kind::Box;
+  sections.push_back(movement_section(m_plan, m_texts));
+  sections.push_back(reach_section(m_plan, m_texts));
+  sections.push_back(limitations);
+  sections.push_back(picture_section(m_pictures, m_texts));
+  sections.back().holds_viewer = true;
+  sections.push_back(error_section(m_plan, m_texts));
+  sections.push_back(cephalometry_section(m_cephalometry, m_texts));
+  sections.push_back(cut_section(m_plan, m_texts));
+  if (m_folder.has("suggest.json"))
+    sections.push_back(suggestion_section(read_json(m_folder.file("suggest.json")), m_texts));
+  sections.push_back(case_section(m_session, m_options.identity, m_texts));
+  sections.push_back(frame_section(m_folder, m_texts));
+  sections.push_back(osteotomy_section(m_folder, m_texts));
+  sections.push_back(model_section(m_session, m_plan, m_texts));
+  sections.push_back(timing_section(m_plan, m_texts));
+  sections.push_back(provenance_section(m_folder, m_texts));
+}
+
+void Reporting::write_tables() const
+{
+  json tables = json::array();
+  for (const ReportSection& section : m_document.sections)
+    for (const ReportTable& table : section.tables)
+    {
+      tables.push_back(to_json(table));
+      write_file_atomically(m_change.file("tables/" + table.id + ".csv"), csv_of(table));
+    }
+  write_json(m_change.file("report.json"), {{"schema", "facetobone-report/1"},
+                                            {"name", m_session.settings.name},
+                                            {"disclaimer", m_texts("disclaimer")},
+                                            {"cephalometry", m_cephalometry},
+                                            {"tables", tables}});
+}
+
+/// The PDF, from the same document; why there is none, if so.
+std::string Reporting::write_print(const ReportDocument& document) const
+{
+  const Path print = m_change.file(".print.html");
+  write_file_atomically(print, html_report(document));
+  const PdfResult pdf = write_pdf(print, m_change.file("report.pdf"));
+  std::filesystem::remove(print);
+  return pdf.reason;
+}
+
+void Reporting::write()
+{
+  m_session.progress("writing the report", 0.7);
+  std::vector<std::string> warnings = warnings_of(m_folder, m_plan);
+  compose(warnings);
+  write_tables();
+  std::future<std::string> print = std::async(std::launch::async, [this, document = m_document]
+                                              { return write_print(document); });
+  const std::optional<ViewerParts> viewer = case_viewer(m_scene, m_texts);
+  if (const std::string no_pdf = print.get(); !no_pdf.empty())
+  {
+    warnings.push_back(no_pdf);
+    compose(warnings);
+  }
+  write_file_atomically(m_change.file("report.html"), html_report(m_document, viewer));
+  m_change.commit("report");
 }
 
 } // namespace
 
 void report_case(CaseSession& session, const ReportOptions& options)
 {
-  const CaseFolder& folder = session.folder;
-  const json plan = read_json(folder.require("plan.json", "plan"));
-  session.progress("drawing pictures", 0.1);
-  CaseChange change(session.folder);
-  const Path picture_folder = change.file("pictures/x").parent_path();
-  const Texts texts = case_texts(options.texts);
-  const PlanScene scene(case_pictures(folder, {true, true}));
-  ReportContent content;
-  for (const WrittenPicture& p :
-       write_pictures(scene, report_pictures(scene), picture_folder, texts))
-    content.pictures.push_back(
-        {texts("picture." + p.name + ".title"), texts("picture." + p.name + ".caption"), p.path});
-
-  session.progress("writing the report", 0.9);
-  content.title = "FaceToBone plan: " + session.settings.name;
-  content.case_name = session.settings.name;
-  content.frame_note = "Right, anterior and superior are the scanner's axes.";
-  content.facts = case_facts(session, plan);
-  content.methods = report_methods(plan);
-  if (folder.has("suggest.json"))
-    add_suggestions(content, read_json(folder.file("suggest.json")));
-  content.reach = plan.at("reachability").at("sentences").get<std::vector<std::string>>();
-  content.regions = report_regions(plan);
-  content.cuts = facts_of(cut_rows(plan));
-  content.bite = facts_of(bite_rows(plan));
-  content.mesh_facts = mesh_facts(read_json(folder.require("mesh.json", "mesh")));
-  for (const char* step : {"segment", "cut", "mesh", "target", "plan", "total"})
-    content.timings.push_back({step, number(plan.at("timing_s").at(step), 1) + " s"});
-  content.warnings = warnings(session, plan);
-  write_html_report(change.file("report.html"), content);
-  change.commit("report");
+  Reporting reporting(session, options);
+  reporting.draw();
+  reporting.write();
   session.progress("reported", 1);
 }
 

@@ -11,8 +11,8 @@ namespace f2b
 namespace
 {
 
-// As wide on an A4 page as 300 dots per inch ask for.
-constexpr PixelSize report_size{2100, 870};
+// 250 dots per inch on an A4 page.
+constexpr PixelSize report_size{1770, 740};
 
 std::vector<View> views(const std::vector<const char*>& names)
 {

@@ -20,6 +20,7 @@ LIBRARIES = {  # first letters of a header -> the rooms that may include it
     r"CGAL/": {"Meshing"},
     r"nlohmann/": {"Bridge", "Case", "CommandLine"},
     r"valijson/": {"Case"},
+    r"openssl/": {"Case"},
     r"CLI/": {"CommandLine"},
     r"Q[A-Z]|qMRML|qSlicer": set(),
     r"vtkMRML": set(),

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "Case/case_folder.hpp"
+
+namespace f2b
+{
+
+/// SHA-256 of a file's bytes as 64 hexadecimal digits, as sha256sum prints it. Throws Error if the
+/// file cannot be read.
+std::string sha256_of(const Path& file);
+
+} // namespace f2b

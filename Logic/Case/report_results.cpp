@@ -1,0 +1,367 @@
+#include "Case/report_results.hpp"
+
+#include "Case/case_pictures.hpp"
+#include "Core/geometry/face_regions.hpp"
+#include "Core/geometry/movement_words.hpp"
+
+#include <array>
+#include <limits>
+
+namespace f2b
+{
+namespace
+{
+
+using nlohmann::json;
+
+constexpr const char* method_names[] = {"rigid-fit", "virtual-force"};
+
+/// A word of Core in the report's language.
+std::string word(const std::string& english, const Texts& texts)
+{
+  const std::string key = "word." + english;
+  return texts.has(key) ? texts(key) : english;
+}
+
+ReportColumn column(const std::string& key, const Texts& texts, const std::string& unit = "")
+{
+  return {key, texts("column." + key), unit};
+}
+
+double number_at(const json& object, const char* key)
+{
+  return object.contains(key) ? object.at(key).get<double>()
+                              : std::numeric_limits<double>::quiet_NaN();
+}
+
+/// The half width that belongs to each row of describe_movement, in the row's unit.
+std::array<double, 6> half_widths(const json& plan, const std::string& fragment)
+{
+  std::array<double, 6> none{};
+  none.fill(std::numeric_limits<double>::quiet_NaN());
+  const auto intervals = plan_intervals(plan, fragment);
+  if (!intervals)
+    return none;
+  const auto& t = intervals->translation_mm;
+  const auto& r = intervals->rotation_deg;
+  return {t[1], t[2], r[1], t[0], r[0], r[2]};
+}
+
+/// As the paper's Table 2.
+ReportTable table2(const json& plan, const std::string& method, const Texts& texts)
+{
+  ReportTable table;
+  table.id = "movement_" + method;
+  table.caption = texts("table.movement", {{"method", method}});
+  const bool has_intervals = method == "rigid-fit";
+  table.columns = {column("fragment", texts), column("axis", texts), column("displacement", texts),
+                   column("unit", texts), column("direction", texts)};
+  if (has_intervals)
+    table.columns.push_back(column("interval", texts));
+  for (const json& f : plan.at("methods").at(method).at("fragments"))
+  {
+    const std::string name = f.at("name").get<std::string>();
+    const json& t = f.at("translation_mm");
+    const json& r = f.at("rotation_deg");
+    const std::array<double, 6> half = half_widths(plan, name);
+    std::size_t i = 0;
+    for (const MovementRow& row : describe_movement(
+             Vec3(t.at("right").get<double>(), t.at("anterior").get<double>(),
+                  t.at("superior").get<double>()),
+             {r.at("pitch").get<double>(), r.at("roll").get<double>(), r.at("yaw").get<double>()}))
+    {
+      table.rows.push_back({name, word(row.axis, texts), ReportValue(row.amount, 2),
+                            row.unit == MovementUnit::Degree ? "\u00b0" : "mm",
+                            word(row.direction, texts)});
+      if (has_intervals)
+        table.rows.back().emplace_back(half[i++], 2);
+    }
+  }
+  return table;
+}
+
+/// Every coordinate of every fragment, for other programs.
+ReportTable coordinates(const json& plan, const Texts& texts)
+{
+  ReportTable table;
+  table.id = "movements";
+  table.caption = texts("table.movements");
+  table.columns = {column("fragment", texts),        column("method", texts),
+                   column("right", texts, "mm"),     column("anterior", texts, "mm"),
+                   column("superior", texts, "mm"),  column("pitch", texts, "\u00b0"),
+                   column("roll", texts, "\u00b0"),  column("yaw", texts, "\u00b0"),
+                   column("c_right", texts, "mm"),   column("c_anterior", texts, "mm"),
+                   column("c_superior", texts, "mm")};
+  for (const char* method : method_names)
+    for (const json& f : plan.at("methods").at(method).at("fragments"))
+    {
+      std::vector<ReportValue> row{f.at("name").get<std::string>(), method};
+      for (const char* key : {"right", "anterior", "superior"})
+        row.emplace_back(f.at("translation_mm").at(key).get<double>(), 2);
+      for (const char* key : {"pitch", "roll", "yaw"})
+        row.emplace_back(f.at("rotation_deg").at(key).get<double>(), 2);
+      for (const json& c : f.at("reference_point_ras"))
+        row.emplace_back(c.get<double>(), 1);
+      table.rows.push_back(std::move(row));
+    }
+  table.note = texts("note.convention");
+  return table;
+}
+
+struct ErrorFigure
+{
+  const char* key;
+  const char* unit;
+  double factor;
+  int decimals;
+};
+constexpr ErrorFigure error_figures[] = {{"mean", "mm", 1, 2},
+                                         {"sd", "mm", 1, 2},
+                                         {"variance", "mm\u00b2", 1, 2},
+                                         {"median", "mm", 1, 2},
+                                         {"p90", "mm", 1, 2},
+                                         {"p95", "mm", 1, 2},
+                                         {"max", "mm", 1, 2},
+                                         {"under_1mm", "%", 100, 1},
+                                         {"under_2mm", "%", 100, 1},
+                                         {"signed_mean", "mm", 1, 2},
+                                         {"area_mm2", "mm\u00b2", 1, 0}};
+
+std::vector<ReportColumn> error_columns(const std::string& first, const Texts& texts)
+{
+  std::vector<ReportColumn> columns{column(first, texts)};
+  for (const ErrorFigure& figure : error_figures)
+    columns.push_back(column(figure.key, texts, figure.unit));
+  return columns;
+}
+
+std::vector<ReportValue> error_row(const std::string& first, const json& error)
+{
+  std::vector<ReportValue> row{first};
+  for (const ErrorFigure& figure : error_figures)
+    row.emplace_back(figure.factor * number_at(error, figure.key), figure.decimals);
+  return row;
+}
+
+ReportTable errors(const json& plan, const Texts& texts)
+{
+  ReportTable table;
+  table.id = "skin_errors";
+  table.caption = texts("table.skin-errors");
+  table.columns = error_columns("method", texts);
+  for (const char* method : method_names)
+    table.rows.push_back(error_row(method, plan.at("methods").at(method).at("skin_error_mm")));
+  const json& force = plan.at("methods").at("virtual-force");
+  if (force.contains("load_residual_mm"))
+    table.rows.push_back(error_row(texts("row.load-residual"), force.at("load_residual_mm")));
+  return table;
+}
+
+ReportTable region_errors(const json& plan, const std::string& method, const Texts& texts)
+{
+  ReportTable table;
+  table.id = "skin_errors_by_region_" + method;
+  table.caption = texts("table.region-errors", {{"method", method}});
+  table.columns = error_columns("region", texts);
+  const json& error = plan.at("methods").at(method).at("skin_error_mm");
+  for (const char* part : {"cut", "outside_cut"})
+    if (error.contains(part) && error.at(part).at("area_mm2") > 0)
+      table.rows.push_back(error_row(texts(std::string("row.") + part), error.at(part)));
+  const json& regions = error.at("by_region");
+  for (const FaceRegion region : all_face_regions())
+    if (const std::string key = key_of(region); regions.contains(key))
+      table.rows.push_back(error_row(texts("region." + key), regions.at(key)));
+  return table;
+}
+
+ReportTable reach_table(const json& regions, const Texts& texts)
+{
+  ReportTable table;
+  table.id = "reachability";
+  table.caption = texts("table.reachability");
+  table.columns = {column("region", texts),          column("area_mm2", texts, "mm\u00b2"),
+                   column("asked_p90", texts, "mm"), column("asked_max", texts, "mm"),
+                   column("left_p90", texts, "mm"),  column("left_max", texts, "mm"),
+                   column("share_left", texts, "%")};
+  for (const FaceRegion region : all_face_regions())
+    if (const std::string key = key_of(region); regions.contains(key))
+    {
+      const json& r = regions.at(key);
+      table.rows.push_back({texts("region." + key), ReportValue(number_at(r, "area_mm2"), 0),
+                            ReportValue(number_at(r.at("asked_mm"), "p90"), 2),
+                            ReportValue(number_at(r.at("asked_mm"), "max"), 2),
+                            ReportValue(number_at(r.at("left_mm"), "p90"), 2),
+                            ReportValue(number_at(r.at("left_mm"), "max"), 2),
+                            ReportValue(100 * number_at(r, "share_left"), 0)});
+    }
+  return table;
+}
+
+ReportTable cut_table(const json& plan, const std::string& method, const Texts& texts)
+{
+  ReportTable table;
+  table.id = "cuts_" + method;
+  table.caption = texts("table.cuts", {{"method", method}});
+  table.columns = {column("between", texts),
+                   column("gap_mean", texts, "mm"),
+                   column("gap_max", texts, "mm"),
+                   column("gap_volume", texts, "mm\u00b3"),
+                   column("facing_share", texts, "%"),
+                   column("overlap_depth", texts, "mm"),
+                   column("overlap_volume", texts, "mm\u00b3")};
+  for (const json& m : plan.at("methods").at(method).at("bone_contacts"))
+  {
+    const json& gap = m.at("gap");
+    const json& overlap = m.at("overlap");
+    const std::string between = m.at("between").at(0).get<std::string>() + " - " +
+                                word(m.at("between").at(1).get<std::string>(), texts);
+    table.rows.push_back({between, ReportValue(number_at(gap, "mean_mm"), 1),
+                          ReportValue(number_at(gap, "max_mm"), 1),
+                          ReportValue(number_at(gap, "volume_mm3"), 0),
+                          ReportValue(100 * number_at(gap, "facing_share"), 0),
+                          ReportValue(number_at(overlap, "depth_mm"), 1),
+                          ReportValue(number_at(overlap, "volume_mm3"), 0)});
+  }
+  return table;
+}
+
+ReportTable bite_table(const json& bite, const Texts& texts)
+{
+  ReportTable table;
+  table.id = "bite";
+  table.caption = texts("table.bite");
+  table.columns = {column("measure", texts),
+                   column("before", texts, "mm"),
+                   {"rigid-fit", "rigid-fit", "mm"},
+                   {"virtual-force", "virtual-force", "mm"}};
+  for (const char* key : {"overjet_mm", "overbite_mm", "lower_to_upper_midline_mm",
+                          "upper_midline_mm", "lower_midline_mm"})
+  {
+    std::vector<ReportValue> row{texts(std::string("bite.") + key)};
+    for (const char* state : {"before", "rigid-fit", "virtual-force"})
+      row.emplace_back(number_at(bite.at(state), key), 1);
+    table.rows.push_back(std::move(row));
+  }
+  std::string carriers;
+  for (const auto& [tooth, part] : bite.at("landmarks_ride_on").items())
+    carriers +=
+        (carriers.empty() ? "" : ", ") + tooth + ": " + word(part.get<std::string>(), texts);
+  table.note = texts("note.bite", {{"carriers", carriers}});
+  return table;
+}
+
+std::string joined(const json& words, const char* between)
+{
+  std::string text;
+  for (const json& one : words)
+    text += (text.empty() ? "" : between) + one.get<std::string>();
+  return text;
+}
+
+} // namespace
+
+ReportSection movement_section(const json& plan, const Texts& texts)
+{
+  ReportSection section;
+  section.heading = texts("section.movement");
+  for (const char* method : method_names)
+  {
+    section.tables.push_back(table2(plan, method, texts));
+    section.tables.back().note = texts(std::string("note.") + method);
+  }
+  section.tables.push_back(coordinates(plan, texts));
+  section.note = texts("note.intervals");
+  return section;
+}
+
+ReportSection error_section(const json& plan, const Texts& texts)
+{
+  ReportSection section;
+  section.heading = texts("section.errors");
+  section.tables.push_back(errors(plan, texts));
+  for (const char* method : method_names)
+    section.tables.push_back(region_errors(plan, method, texts));
+  section.note = texts("note.errors");
+  return section;
+}
+
+ReportSection reach_section(const json& plan, const Texts& texts)
+{
+  ReportSection section;
+  section.heading = texts("section.reach");
+  const json& reach = plan.at("reachability");
+  section.points = reach.at("sentences").get<std::vector<std::string>>();
+  if (!reach.at("regions").empty())
+  {
+    section.tables.push_back(reach_table(reach.at("regions"), texts));
+    section.note = texts("note.reach");
+  }
+  return section;
+}
+
+ReportSection cut_section(const json& plan, const Texts& texts)
+{
+  ReportSection section;
+  section.heading = texts("section.cuts");
+  for (const char* method : method_names)
+    section.tables.push_back(cut_table(plan, method, texts));
+  if (plan.at("bite").contains("before"))
+    section.tables.push_back(bite_table(plan.at("bite"), texts));
+  return section;
+}
+
+ReportSection cephalometry_section(const json& measures, const Texts& texts)
+{
+  ReportSection section;
+  section.heading = texts("section.cephalometry");
+  ReportTable table;
+  table.id = "cephalometry";
+  table.caption = texts("table.cephalometry");
+  table.columns = {column("measure", texts),   column("unit", texts),
+                   column("before", texts),    column("target", texts),
+                   column("predicted", texts), column("definition", texts)};
+  for (const json& m : measures)
+    table.rows.push_back(
+        {m.at("name").get<std::string>(), m.at("unit") == "deg" ? "\u00b0" : "mm",
+         ReportValue(number_at(m, "before"), 1), ReportValue(number_at(m, "target"), 1),
+         ReportValue(number_at(m, "predicted"), 1), m.at("definition").get<std::string>()});
+  table.is_long = true;
+  if (table.rows.empty())
+    section.paragraphs = {texts("note.no-cephalometry")};
+  else
+    section.tables.push_back(std::move(table));
+  section.note = texts("note.cephalometry");
+  return section;
+}
+
+ReportSection suggestion_section(const json& suggested, const Texts& texts)
+{
+  ReportSection section;
+  section.heading = texts("section.suggestions");
+  ReportTable table;
+  table.id = "suggestions";
+  table.caption = texts("table.suggestions");
+  table.columns = {column("cuts", texts), column("reached", texts, "%"),
+                   column("rms_left", texts, "mm"), column("movement", texts)};
+  for (const json& s : suggested.at("suggestions"))
+  {
+    std::string movement;
+    for (const json& f : s.at("fragments"))
+      movement += (movement.empty() ? "" : ". ") + f.at("name").get<std::string>() + ": " +
+                  f.at("movement").get<std::string>();
+    table.rows.push_back({joined(s.at("cuts"), " + "),
+                          ReportValue(100 * s.at("reached").get<double>(), 0),
+                          ReportValue(s.at("rms_left_mm").get<double>(), 2), movement});
+  }
+  table.is_long = true;
+  section.tables.push_back(std::move(table));
+  std::string not_possible;
+  for (const json& n : suggested.at("not_possible"))
+    not_possible += (not_possible.empty() ? "" : "; ") + joined(n.at("cuts"), " + ");
+  section.note =
+      texts("note.suggestions") +
+      (not_possible.empty() ? "" : " " + texts("note.not-possible", {{"cuts", not_possible}}));
+  return section;
+}
+
+} // namespace f2b

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "Rendering/report_document.hpp"
+#include "Rendering/texts.hpp"
+
+#include <nlohmann/json.hpp>
+
+/// What does a plan say, as sections of a report? Numbers are those of plan.json; none is computed.
+namespace f2b
+{
+
+ReportSection movement_section(const nlohmann::json& plan, const Texts& texts);
+ReportSection error_section(const nlohmann::json& plan, const Texts& texts);
+ReportSection reach_section(const nlohmann::json& plan, const Texts& texts);
+/// Gap and overlap at the cuts, and the bite.
+ReportSection cut_section(const nlohmann::json& plan, const Texts& texts);
+/// \param measures  of cephalometry_of
+ReportSection cephalometry_section(const nlohmann::json& measures, const Texts& texts);
+ReportSection suggestion_section(const nlohmann::json& suggested, const Texts& texts);
+
+} // namespace f2b
