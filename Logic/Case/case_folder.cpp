@@ -111,13 +111,14 @@ const std::vector<std::string>& outdated_by(const std::string& step)
   static const std::map<std::string, std::vector<std::string>> table = {
       {"sample", {"sample"}},
       {"segment",
-       {"segment", "cut", "mesh", "target", "suggest", "plan", "predict", "report",
+       {"segment", "cut", "mesh", "target", "suggest", "plan", "predict", "report", "evaluate",
         "export calculix", "export febio", "export vtu"}},
       {"cut",
-       {"cut", "mesh", "plan", "predict", "report", "export calculix", "export febio",
+       {"cut", "mesh", "plan", "predict", "report", "evaluate", "export calculix", "export febio",
         "export vtu"}},
       {"mesh",
-       {"mesh", "plan", "predict", "report", "export calculix", "export febio", "export vtu"}},
+       {"mesh", "plan", "predict", "report", "evaluate", "export calculix", "export febio",
+        "export vtu"}},
       {"target",
        {"target", "suggest", "plan", "predict", "report", "export calculix", "export febio",
         "export vtu"}},
@@ -127,6 +128,7 @@ const std::vector<std::string>& outdated_by(const std::string& step)
       {"export calculix", {"export calculix"}},
       {"export febio", {"export febio"}},
       {"export vtu", {"export vtu"}},
+      {"evaluate", {"evaluate"}},
       {"report", {"report"}}};
   return table.at(step);
 }

@@ -21,6 +21,7 @@ using Path = std::filesystem::path;
 /// - plan: plan.json plan_METHOD.vtu predicted_METHOD.vtp NAME_METHOD.{tfm,h5,vtp}
 /// - predict: predict.json predicted.vtp predicted.vtu NAME_moved.vtp
 /// - export: export.inp export.feb export.vtu, each a step of its own
+/// - evaluate: evaluation/
 /// - report: report.html report.pdf report.json pictures/ tables/
 ///
 /// One process works on a case at a time: the folder is locked while it is open.

@@ -150,6 +150,7 @@ TargetSettings target_from(const json& value, const Path& source)
   {
     take_path(value["scan"], "mesh", source, target.scan);
     take(value["scan"], "reach_mm", target.scan_reach_mm);
+    target.registration_sd_mm = 0.3; // what registering two faces leaves, each component
   }
   if (value.contains("warp"))
   {
@@ -160,6 +161,7 @@ TargetSettings target_from(const json& value, const Path& source)
   if (value.contains("from_movement"))
     target.movements = movements_from(value["from_movement"]);
   take(value, "mask_mm", target.mask_mm);
+  take(value, "registration_sd_mm", target.registration_sd_mm);
   const int kinds = !target.mesh.empty() + !target.scan.empty() + !target.warp_from.empty() +
                     !target.movements.empty();
   if (kinds != 1)

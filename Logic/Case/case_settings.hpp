@@ -46,6 +46,7 @@ struct TargetSettings
   double warp_radius_mm = 45;
   Movements movements;
   double mask_mm = 0;
+  double registration_sd_mm = 0; ///< SkinTarget's
 };
 
 /// The paper's own method.

@@ -53,6 +53,7 @@ public:
   }
 
   void rigid_fit();
+  /// An error of this method is told and does not cost the other's plan.
   void virtual_force();
   void finish(double seconds);
 
@@ -67,6 +68,8 @@ private:
   void warn_of_bounds(const RigidFitResult& fit, const RigidFitOptions& options);
   json stability(const std::string& method, const std::vector<Vec3>& x);
   void examine_reach(const RigidFitResult& fit);
+  /// \param again  the face predicted with the movement that was found
+  void tell_dragged(const VirtualForceResult& dragged, const Prediction& again);
   /// \param node_arrays  to be kept with the displaced mesh
   void write(const std::string& method, const std::vector<RigidMotion>& motions,
              const std::vector<Vec3>& x, const std::vector<Vec3>& skin_displacement,
@@ -80,7 +83,7 @@ private:
   std::vector<double> m_unreachable; ///< of rigid-fit, per reference-skin vertex [mm]
   CaseChange m_change;
   VirtualForceOptions m_pull;
-  json m_methods = json::object();
+  json m_methods = json::object(), m_failed = json::object();
   json m_seconds = json::object();
   json m_warnings = json::array();
   json m_reachability, m_bite;
@@ -285,6 +288,10 @@ void Planning::rigid_fit()
       {"stability", stability("rigid-fit", fit.x)},     {"intervals", intervals(fit, options)},
       {"termination", text_of(fit.termination)},        {"iterations", iterations},
       {"equilibrium", to_json(fit.equilibrium)}};
+  if (m_target.skin().registration_sd_mm > 0)
+    m_methods["rigid-fit"]["target_registration"] = {
+        {"shift_mm", to_json(Vec3(fit.target_registration.head<3>()))},
+        {"turn_deg", to_json(Vec3(fit.target_registration.tail<3>() / degree))}};
   move_bones("rigid-fit", fit.motions);
   examine_reach(fit);
   write("rigid-fit", fit.motions, fit.x, fit.skin_displacement);
@@ -294,12 +301,25 @@ void Planning::rigid_fit()
 void Planning::virtual_force()
 {
   const Stopwatch watch;
-  const VirtualForceResult dragged =
-      drag_skin(m_face.model(), m_target.skin(), m_pull, m_session.progress);
+  try
+  {
+    const VirtualForceResult dragged =
+        drag_skin(m_face.model(), m_target.skin(), m_pull, m_session.progress);
+    tell_dragged(dragged, predict_face(m_face.model(), dragged.motions, m_pull.equilibrium,
+                                       m_session.progress));
+  }
+  catch (const Error& error)
+  {
+    m_failed["virtual-force"] = error.what();
+    m_warnings.push_back(std::string("virtual-force gives no plan: ") + error.what());
+  }
+  m_seconds["virtual_force"] = watch.seconds();
+}
+
+void Planning::tell_dragged(const VirtualForceResult& dragged, const Prediction& again)
+{
   for (const std::string& warning : dragged.warnings(m_pull))
     m_warnings.push_back("virtual-force: " + warning);
-  const Prediction again =
-      predict_face(m_face.model(), dragged.motions, m_pull.equilibrium, m_session.progress);
   if (!again.summary.converged())
     m_warnings.push_back("virtual-force: the face could be predicted only for " +
                          std::to_string(std::lround(100 * again.summary.load_reached)) +
@@ -318,21 +338,17 @@ void Planning::virtual_force()
   write("virtual-force", dragged.motions, again.x, again.skin_displacement,
         {{"dragged_displacement", node_displacements(m_face.mesh, dragged.x)},
          {"registration_misfit", registration_misfit(m_face.mesh, dragged.motions, dragged.x)}});
-  m_seconds["virtual_force"] = watch.seconds();
 }
 
 void Planning::finish(double seconds)
 {
   const json mesh = read_json(m_session.folder.require("mesh.json", "mesh"));
-  json plan = {{"schema", "facetobone-plan/1"},
-               {"name", m_session.settings.name},
-               {"frame", "scanner RAS"},
-               {"materials", m_face.materials.name},
-               {"methods", m_methods},
-               {"reachability", m_reachability},
-               {"bite", m_bite},
-               {"warnings", m_warnings},
-               {"disclaimer", "research software, not a medical device"}};
+  json plan = {
+      {"schema", "facetobone-plan/1"},  {"name", m_session.settings.name},
+      {"frame", "scanner RAS"},         {"materials", m_face.materials.name},
+      {"methods", m_methods},           {"methods_failed", m_failed},
+      {"reachability", m_reachability}, {"bite", m_bite},
+      {"warnings", m_warnings},         {"disclaimer", "research software, not a medical device"}};
   for (const char* key :
        {"prisms", "tets", "nodes", "dofs", "min_dihedral_deg", "min_prism_scaled_jacobian"})
     plan["mesh"][key] = mesh.at(key);

@@ -17,6 +17,7 @@ PlanTarget::PlanTarget(const CaseSession& session, const LoadedFace& face)
   if (m_skin.weight.size() != m_rest.size())
     throw Error("target.vtp", "it does not belong to this reference skin",
                 "run 'facetobone target' again");
+  m_skin.registration_sd_mm = session.settings.target.registration_sd_mm;
   const TriangleMesh target = to_triangle_mesh(surface);
   m_normals = vertex_normals(target);
   if (read_json(session.folder.require("target.json", "target")).at("kind") == "scan")

@@ -122,6 +122,8 @@ ReportTable solver_table(const json& plan, const Texts& texts)
                    column("stretch_max", texts),    column("outside_stable", texts, "%")};
   for (const char* method : {"rigid-fit", "virtual-force"})
   {
+    if (!plan.at("methods").contains(method)) // it failed, which a warning tells
+      continue;
     const json& m = plan.at("methods").at(method);
     const json& solve = m.at("equilibrium");
     double outside = 0;

@@ -14,7 +14,15 @@ namespace
 
 using nlohmann::json;
 
-constexpr const char* method_names[] = {"rigid-fit", "virtual-force"};
+/// Those that gave a plan; a warning tells of the others.
+std::vector<std::string> methods_of(const json& plan)
+{
+  std::vector<std::string> methods;
+  for (const char* method : {"rigid-fit", "virtual-force"})
+    if (plan.at("methods").contains(method))
+      methods.emplace_back(method);
+  return methods;
+}
 
 /// A word of Core in the report's language.
 std::string word(const std::string& english, const Texts& texts)
@@ -92,7 +100,7 @@ ReportTable coordinates(const json& plan, const Texts& texts)
                    column("roll", texts, "\u00b0"),  column("yaw", texts, "\u00b0"),
                    column("c_right", texts, "mm"),   column("c_anterior", texts, "mm"),
                    column("c_superior", texts, "mm")};
-  for (const char* method : method_names)
+  for (const std::string& method : methods_of(plan))
     for (const json& f : plan.at("methods").at(method).at("fragments"))
     {
       std::vector<ReportValue> row{f.at("name").get<std::string>(), method};
@@ -149,9 +157,9 @@ ReportTable errors(const json& plan, const Texts& texts)
   table.id = "skin_errors";
   table.caption = texts("table.skin-errors");
   table.columns = error_columns("method", texts);
-  for (const char* method : method_names)
+  for (const std::string& method : methods_of(plan))
     table.rows.push_back(error_row(method, plan.at("methods").at(method).at("skin_error_mm")));
-  const json& force = plan.at("methods").at("virtual-force");
+  const json force = plan.at("methods").value("virtual-force", json::object());
   if (force.contains("load_residual_mm"))
     table.rows.push_back(error_row(texts("row.load-residual"), force.at("load_residual_mm")));
   return table;
@@ -239,7 +247,7 @@ ReportTable bite_table(const json& bite, const Texts& texts)
   {
     std::vector<ReportValue> row{texts(std::string("bite.") + key)};
     for (const char* state : {"before", "rigid-fit", "virtual-force"})
-      row.emplace_back(number_at(bite.at(state), key), 1);
+      row.emplace_back(number_at(bite.value(state, json::object()), key), 1);
     table.rows.push_back(std::move(row));
   }
   std::string carriers;
@@ -264,7 +272,7 @@ ReportSection movement_section(const json& plan, const Texts& texts)
 {
   ReportSection section;
   section.heading = texts("section.movement");
-  for (const char* method : method_names)
+  for (const std::string& method : methods_of(plan))
   {
     section.tables.push_back(table2(plan, method, texts));
     section.tables.back().note = texts(std::string("note.") + method);
@@ -279,7 +287,7 @@ ReportSection error_section(const json& plan, const Texts& texts)
   ReportSection section;
   section.heading = texts("section.errors");
   section.tables.push_back(errors(plan, texts));
-  for (const char* method : method_names)
+  for (const std::string& method : methods_of(plan))
     section.tables.push_back(region_errors(plan, method, texts));
   section.note = texts("note.errors");
   return section;
@@ -303,7 +311,7 @@ ReportSection cut_section(const json& plan, const Texts& texts)
 {
   ReportSection section;
   section.heading = texts("section.cuts");
-  for (const char* method : method_names)
+  for (const std::string& method : methods_of(plan))
     section.tables.push_back(cut_table(plan, method, texts));
   if (plan.at("bite").contains("before"))
     section.tables.push_back(bite_table(plan.at("bite"), texts));

@@ -46,10 +46,12 @@ void require_usable(const ShellMeshReport& r)
 } // namespace
 
 ShellMesh mesh_shell(const CaseSession& session, const ShellInputs& inputs, double density,
-                     const Progress& progress)
+                     const Progress& progress, std::optional<double> skin_thickness_mm)
 {
+  ShellMeshOptions options = mesh_options(session, density);
+  options.zeta = skin_thickness_mm.value_or(options.zeta);
   ShellMesh shell = build_shell_mesh({inputs.skin, inputs.closed_bone, inputs.bone, inputs.hu},
-                                     mesh_options(session, density), progress);
+                                     options, progress);
   require_usable(shell.report);
   return shell;
 }

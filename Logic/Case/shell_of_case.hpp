@@ -18,8 +18,9 @@ struct ShellInputs
 /// Meshes the shell by the case's settings. All tissue on bone hangs on bone that stays; nothing is
 /// cut yet. Throws Error (Numerical) if elements are inverted: they would give forces without
 /// meaning.
-/// \param density  elements relative to the default, in the place of the case's own
+/// \param density            elements relative to the default, in the place of the case's own
+/// \param skin_thickness_mm  in the place of the case's own
 ShellMesh mesh_shell(const CaseSession& session, const ShellInputs& inputs, double density,
-                     const Progress& progress);
+                     const Progress& progress, std::optional<double> skin_thickness_mm = {});
 
 } // namespace f2b

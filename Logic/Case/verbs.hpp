@@ -59,6 +59,20 @@ struct ReportOptions
 };
 /// Pictures, report.html, report.pdf, report.json, tables and surfaces for printing.
 void report_case(CaseSession& session, const ReportOptions& options);
+struct EvaluateOptions
+{
+  std::vector<int> experiments{1, 2, 3};
+  Movements movements; ///< that really happened; none: Table 2's, of the first fragment
+  double noise_sd_mm = 0.3, noise_correlation_mm = 5; ///< of the virtual patient's measured face
+  unsigned long seed = 1;
+  Path postoperative_ct;      ///< what really happened, in the virtual patient's place
+  std::optional<Box> box_ras; ///< where the two CTs are registered; or by a mask
+  Path mask;
+  bool check_optimum = true; ///< Experiment 3 against an independent search, which takes longest
+};
+/// The paper's experiments on a meshed case: evaluation/ with tables (CSV, JSON, Markdown) and
+/// colour maps.
+void evaluate_case(CaseSession& session, const EvaluateOptions& options);
 
 /// All of them into a folder; what the folder held before stays until everything is done.
 void run_case(const nlohmann::json& document, const Path& source, const Path& folder,

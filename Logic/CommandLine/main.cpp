@@ -1,4 +1,5 @@
 #include "Bridge/json_file.hpp"
+#include "Case/evaluation_tables.hpp"
 #include "Case/fit_summary.hpp"
 #include "Case/verbs.hpp"
 #include "CommandLine/plan_table.hpp"
@@ -43,6 +44,8 @@ struct Arguments
   SuggestOptions suggested;
   ScreenshotOptions screenshot;
   ReportOptions report;
+  EvaluateOptions evaluated;
+  std::vector<double> box_ras;
 };
 
 using Action = std::function<void(const Arguments&, const Progress&)>;
@@ -284,6 +287,55 @@ void add_report(CLI::App& app, Arguments& a, std::map<CLI::App*, Action>& action
   };
 }
 
+void evaluate(const Arguments& a, const Progress& progress)
+{
+  CaseSession session = CaseSession::open(a.folder, progress);
+  EvaluateOptions options = a.evaluated;
+  if (!a.movements.empty())
+  {
+    nlohmann::json document = session.document;
+    document["predict"] = movements_from_arguments(a.movements);
+    options.movements = parse_settings(document, from_arguments).predict;
+  }
+  if (!a.box_ras.empty())
+    options.box_ras =
+        Box{{a.box_ras[0], a.box_ras[1], a.box_ras[2]}, {a.box_ras[3], a.box_ras[4], a.box_ras[5]}};
+  evaluate_case(session, options);
+}
+
+void add_evaluate(CLI::App& app, Arguments& a, std::map<CLI::App*, Action>& actions)
+{
+  CLI::App* verb = add_movements(
+      add_verb(
+          app, a, "evaluate",
+          "The paper's experiments on a meshed case: tables and colour maps in DIR/evaluation"),
+      a);
+  EvaluateOptions& options = a.evaluated;
+  verb->add_option("--experiments", options.experiments, "Which of 1, 2, 3")
+      ->delimiter(',')
+      ->check(CLI::IsMember({1, 2, 3}))
+      ->capture_default_str();
+  verb->add_option("--postoperative", options.postoperative_ct,
+                   "The patient's CT after the operation [a virtual patient takes its place]");
+  verb->add_option("--box", a.box_ras,
+                   "Where the two CTs are registered: least and greatest R, A, S [the cranium]")
+      ->expected(6)
+      ->delimiter(',');
+  verb->add_option("--mask", options.mask,
+                   "The same as labels (.nrrd) in the frame of the case's CT");
+  verb->add_option("--noise", options.noise_sd_mm,
+                   "Of the virtual patient's measured skin: standard deviation [mm]")
+      ->check(within(0, 5))
+      ->capture_default_str();
+  verb->add_option("--noise-length", options.noise_correlation_mm, "Its correlation length [mm]")
+      ->check(within(0, 50))
+      ->capture_default_str();
+  verb->add_option("--seed", options.seed, "Of the noise")->capture_default_str();
+  verb->add_flag("!--no-search", options.check_optimum,
+                 "Leave out the independent search beside Experiment 3, which takes longest");
+  actions[verb] = evaluate;
+}
+
 Action on_case(void (*verb)(CaseSession&))
 {
   return [verb](const Arguments& a, const Progress& progress)
@@ -327,6 +379,7 @@ std::map<CLI::App*, Action> add_verbs(CLI::App& app, Arguments& a)
   add_export(app, a, actions);
   add_report(app, a, actions);
   add_screenshot(app, a, actions);
+  add_evaluate(app, a, actions);
   add_fit_material(app, a, actions);
   return actions;
 }
@@ -365,6 +418,8 @@ int perform(const std::string& verb, const Action& action, const Arguments& a)
       std::cout << suggestion_table(read_json(Path(a.folder) / "suggest.json"));
     if (verb == "predict")
       print_prediction(a.folder);
+    if (verb == "evaluate")
+      std::cout << evaluation_text(read_json(Path(a.folder) / "evaluation/evaluation.json"));
     return ok;
   }
   catch (const Error& error)

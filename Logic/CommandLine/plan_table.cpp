@@ -1,6 +1,7 @@
 #include "CommandLine/plan_table.hpp"
 
 #include "Case/plan_findings.hpp"
+#include "Case/plan_intervals.hpp"
 #include "Core/geometry/movement_words.hpp"
 
 #include <cstdio>
@@ -85,13 +86,15 @@ std::string plan_table(const json& plan)
   print(text, "Mesh: %d prisms, %d tetrahedra, %d nodes\n", mesh.at("prisms").get<int>(),
         mesh.at("tets").get<int>(), mesh.at("nodes").get<int>());
   for (const char* method : {"rigid-fit", "virtual-force"})
-    add_movements(text, method, plan.at("methods").at(method).at("fragments"));
+    if (plan.at("methods").contains(method))
+      add_movements(text, method, plan.at("methods").at(method).at("fragments"));
   add_errors(text, plan.at("methods"), "skin_error_mm", "Predicted face against the target [mm]");
   add_errors(text, plan.at("methods"), "load_residual_mm",
              "What the virtual force itself leaves [mm]");
   text += "\nWhat these cuts reach\n";
   for (const json& sentence : plan.at("reachability").at("sentences"))
     text += "  " + sentence.get<std::string>() + "\n";
+  add_rows(text, "How sure the movement is (90 % intervals), rigid-fit", interval_rows(plan));
   add_rows(text, "The cuts after the movement, rigid-fit", cut_rows(plan));
   add_rows(text, "The bite, rigid-fit", bite_rows(plan));
   text += "\n";

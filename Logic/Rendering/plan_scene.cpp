@@ -92,6 +92,8 @@ void check(const PlanPictures& pictures)
   }
 }
 
+} // namespace
+
 // Smooth shading keeps the vertices: splitting would break the arrays' correspondence.
 Surface with_normals(const Surface& surface)
 {
@@ -107,8 +109,6 @@ Surface with_normals(const Surface& surface)
   normals->Update();
   return normals->GetOutput();
 }
-
-} // namespace
 
 PlanScene::PlanScene(const PlanPictures& pictures) : m_pictures(pictures)
 {

@@ -71,6 +71,10 @@ struct PlanPictures
   vtkSmartPointer<vtkImageData> ct;     ///< Hounsfield units, RAS; may be null
 };
 
+/// A copy that is shaded smoothly: with a normal per vertex, vertices and arrays as they are. Null for
+/// null.
+Surface with_normals(const Surface& surface);
+
 /// The same with normals, checked: safe to draw.
 class PlanScene
 {

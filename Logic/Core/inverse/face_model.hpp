@@ -37,6 +37,11 @@ struct SkinTarget
   /// that is displaced. Only the distance to it counts then, and `displacement` is its value at
   /// rest. Empty: vertices have their own targets. Is called from several threads.
   std::function<NearestTarget(std::size_t vertex, const Vec3& displacement)> nearest;
+  /// How far the registration that brought the whole target into the case's frame may have shifted
+  /// it: likely error of each component [mm], and of a turn the same on a lever of 60 mm. A fit then
+  /// finds shift and turn together with the movement: skin that no bone moves tells them. 0: the
+  /// target is where it should be, as one that was drawn on the face.
+  double registration_sd_mm = 0;
 };
 
 /// Rest motions, one per fragment, about the model's reference points.

@@ -72,7 +72,7 @@ public:
   Propagation(const FaceModel& face, const SkinTarget& target, const RigidFitOptions& options,
               const RigidFitResult& plan)
       : m_face(face), m_plan(plan), m_space(movement_space(face, options)),
-        m_residual(target, fit_weights(face, target)),
+        m_residual(skin_residual(face, target, options.wish_weight())),
         m_model(face.tissue, face.materials, held_controls(face.tissue, Held::BoneAndFragments)),
         m_solver(m_model, options.equilibrium)
   {
@@ -81,8 +81,7 @@ public:
     Eigen::VectorXd g;
     m_residual.normal_equations(plan.skin_displacement, columns, H, g);
     const Eigen::MatrixXd slopes = m_space.wish_slopes(plan.q);
-    H += options.skin_sd_mm * options.skin_sd_mm * options.patch_area_mm2 * slopes.transpose() *
-         slopes;
+    H += options.wish_weight() * slopes.transpose() * slopes;
     m_columns = m_residual.seen(plan.skin_displacement, std::move(columns));
     hold_bounds(H);
     m_factor.compute(H);

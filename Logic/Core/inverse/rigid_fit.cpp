@@ -5,6 +5,7 @@
 #include "Core/inverse/skin_sensitivity.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -17,12 +18,15 @@ namespace
 class Fit
 {
 public:
-  Fit(const FaceModel& face, const SkinTarget& target, const RigidFitOptions& options)
+  Fit(const FaceModel& face, const SkinTarget& target, const RigidFitOptions& options,
+      const RigidFitResult* start)
       : m_face(face), m_options(options), m_space(movement_space(face, options)),
-        m_residual(target, fit_weights(face, target)),
+        m_residual(skin_residual(face, target, options.wish_weight())),
         m_model(face.tissue, face.materials, held_controls(face.tissue, Held::BoneAndFragments)),
-        m_solver(m_model, options.equilibrium), m_q(m_space.start()), m_x(face.tissue.rest())
+        m_solver(m_model, options.equilibrium), m_q(start ? start->q : m_space.start()),
+        m_x(start ? start->x : face.tissue.rest())
   {
+    assert(m_q.size() == m_space.size() && m_x.size() == face.tissue.control_count());
   }
 
   RigidFitResult run(const Progress& progress);
@@ -35,10 +39,7 @@ private:
     Eigen::VectorXd g, least, most;
   };
 
-  double wish_weight() const
-  {
-    return m_options.skin_sd_mm * m_options.skin_sd_mm * m_options.patch_area_mm2;
-  }
+  double wish_weight() const { return m_options.wish_weight(); }
   double objective(const Eigen::VectorXd& q, const std::vector<Vec3>& x) const;
   Quadratic quadratic();
   Eigen::VectorXd damped_step(const Quadratic& model) const;
@@ -267,6 +268,7 @@ RigidFitResult Fit::run(const Progress& progress)
   m_result.q = m_q;
   m_result.motions = m_space.motions(m_q);
   m_result.skin_displacement = m_face.skin.displacement(m_x);
+  m_result.target_registration = m_residual.registration(m_result.skin_displacement);
   m_result.x = std::move(m_x);
   return std::move(m_result);
 }
@@ -279,9 +281,10 @@ MovementSpace movement_space(const FaceModel& face, const RigidFitOptions& optio
 }
 
 RigidFitResult fit_fragments(const FaceModel& face, const SkinTarget& target,
-                             const RigidFitOptions& options, const Progress& progress)
+                             const RigidFitOptions& options, const Progress& progress,
+                             const RigidFitResult* start)
 {
-  return Fit(face, target, options).run(progress);
+  return Fit(face, target, options, start).run(progress);
 }
 
 } // namespace f2b

@@ -18,6 +18,7 @@ struct RigidFitOptions
   /// Priors and bites with a tolerance are weighed against skin as if every patch of this area were
   /// one measurement of this standard deviation.
   double skin_sd_mm = 0.5, patch_area_mm2 = 150;
+  double wish_weight() const { return skin_sd_mm * skin_sd_mm * patch_area_mm2; } ///< [mm^4]
   EquilibriumOptions equilibrium;
 };
 
@@ -44,6 +45,9 @@ struct RigidFitResult
   std::vector<Vec3> x;                 ///< control vectors in equilibrium at these motions [mm]
   std::vector<Vec3> skin_displacement; ///< of the reference skin [mm]
   std::vector<Eigen::Index> at_bounds; ///< coordinates that a bound holds back
+  /// Shift [mm] and turn [rad] of the target that its registration seems to have left; zero unless
+  /// the target says that they are in doubt.
+  Eigen::Matrix<double, 6, 1> target_registration = Eigen::Matrix<double, 6, 1>::Zero();
   std::vector<RigidFitIteration> iterations;
   EquilibriumSummary equilibrium; ///< all solves together
 };
@@ -58,8 +62,11 @@ MovementSpace movement_space(const FaceModel& face, const RigidFitOptions& optio
 /// Sensitivities are those of the converged equilibrium, one back-solve a coordinate with the
 /// tangent's factor. The objective never rises. Equilibria on the way are only as exact as the next
 /// step needs; the last one meets the options' tolerance.
+/// \param start  a plan of the same face under the same rules, such as that of a target that differs
+///               little: the fit begins from its equilibrium. Null: from rest
 /// Throws Error if the target does not determine a fragment's movement at all.
 RigidFitResult fit_fragments(const FaceModel& face, const SkinTarget& target,
-                             const RigidFitOptions& options, const Progress& progress);
+                             const RigidFitOptions& options, const Progress& progress,
+                             const RigidFitResult* start = nullptr);
 
 } // namespace f2b

@@ -1,5 +1,8 @@
 #include "Core/inverse/skin_sensitivity.hpp"
 
+#include <Eigen/Cholesky>
+#include <Eigen/Geometry>
+
 namespace f2b
 {
 
@@ -71,19 +74,99 @@ std::vector<Vec3> SkinResidual::directions(const std::vector<Vec3>& displacement
   return direction;
 }
 
-double SkinResidual::objective(const std::vector<Vec3>& displacement) const
+namespace
 {
-  const std::vector<Vec3> off = at(displacement);
+
+double product(const std::vector<double>& weight, const std::vector<Vec3>& a,
+               const std::vector<Vec3>& b)
+{
   double sum = 0;
-  for (std::size_t v = 0; v < off.size(); ++v)
-    sum += 0.5 * m_weight[v] * off[v].squaredNorm();
+  for (std::size_t v = 0; v < a.size(); ++v)
+    sum += weight[v] * a[v].dot(b[v]);
   return sum;
 }
 
-std::vector<std::vector<Vec3>> SkinResidual::seen(const std::vector<Vec3>& displacement,
-                                                  std::vector<std::vector<Vec3>> columns) const
+} // namespace
+
+void SkinResidual::doubt_registration(std::vector<Vec3> positions, double wish_weight)
 {
-  const std::vector<Vec3> direction = directions(displacement);
+  constexpr double lever_mm = 60; // half a face
+  if (!(m_target.registration_sd_mm > 0))
+    return;
+  Vec3 middle = Vec3::Zero();
+  double total = 0;
+  for (std::size_t v = 0; v < positions.size(); ++v)
+  {
+    middle += m_weight[v] * positions[v];
+    total += m_weight[v];
+  }
+  if (!(total > 0))
+    return;
+  middle /= total;
+  m_rigid.assign(6, std::vector<Vec3>(positions.size(), Vec3::Zero()));
+  for (std::size_t k = 0; k < 3; ++k)
+    for (std::size_t v = 0; v < positions.size(); ++v)
+    {
+      const Vec3 axis = Vec3::Unit(static_cast<Eigen::Index>(k));
+      m_rigid[k][v] = axis;
+      m_rigid[k + 3][v] = axis.cross(positions[v] - middle);
+    }
+  const double shift = wish_weight / (m_target.registration_sd_mm * m_target.registration_sd_mm);
+  m_prior << Vec3::Constant(shift), Vec3::Constant(shift * lever_mm * lever_mm);
+}
+
+SkinResidual::Vec6 SkinResidual::explained(const std::vector<std::vector<Vec3>>& rigid,
+                                           const std::vector<Vec3>& field) const
+{
+  Eigen::Matrix<double, 6, 6> S = m_prior.asDiagonal();
+  Vec6 right_hand_side;
+  for (Eigen::Index i = 0; i < 6; ++i)
+  {
+    const auto& ri = rigid[static_cast<std::size_t>(i)];
+    right_hand_side[i] = product(m_weight, ri, field);
+    for (Eigen::Index j = 0; j <= i; ++j)
+    {
+      const double s = product(m_weight, ri, rigid[static_cast<std::size_t>(j)]);
+      S(i, j) += s;
+      if (i != j)
+        S(j, i) += s;
+    }
+  }
+  return S.ldlt().solve(right_hand_side);
+}
+
+std::vector<Vec3> SkinResidual::less_registration(const std::vector<std::vector<Vec3>>& rigid,
+                                                  std::vector<Vec3> field) const
+{
+  if (rigid.empty())
+    return field;
+  const Vec6 p = explained(rigid, field);
+  for (std::size_t v = 0; v < field.size(); ++v)
+    for (std::size_t k = 0; k < 6; ++k)
+      field[v] -= p[static_cast<Eigen::Index>(k)] * rigid[k][v];
+  return field;
+}
+
+SkinResidual::Vec6 SkinResidual::registration(const std::vector<Vec3>& displacement) const
+{
+  if (m_rigid.empty())
+    return Vec6::Zero();
+  return explained(along_directions(directions(displacement), m_rigid), at(displacement));
+}
+
+double SkinResidual::objective(const std::vector<Vec3>& displacement) const
+{
+  const std::vector<Vec3> off = at(displacement);
+  if (m_rigid.empty())
+    return 0.5 * product(m_weight, off, off);
+  const auto rigid = along_directions(directions(displacement), m_rigid);
+  return 0.5 * product(m_weight, off, less_registration(rigid, off));
+}
+
+std::vector<std::vector<Vec3>>
+SkinResidual::along_directions(const std::vector<Vec3>& direction,
+                               std::vector<std::vector<Vec3>> columns) const
+{
   for (std::vector<Vec3>& column : columns)
     for (std::size_t v = 0; v < column.size(); ++v)
       if (m_weight[v] <= 0)
@@ -93,11 +176,23 @@ std::vector<std::vector<Vec3>> SkinResidual::seen(const std::vector<Vec3>& displ
   return columns;
 }
 
+std::vector<std::vector<Vec3>> SkinResidual::seen(const std::vector<Vec3>& displacement,
+                                                  std::vector<std::vector<Vec3>> columns) const
+{
+  const std::vector<Vec3> direction = directions(displacement);
+  columns = along_directions(direction, std::move(columns));
+  const auto rigid = along_directions(direction, m_rigid);
+  for (std::vector<Vec3>& column : columns)
+    column = less_registration(rigid, std::move(column));
+  return columns;
+}
+
 void SkinResidual::normal_equations(const std::vector<Vec3>& displacement,
                                     const std::vector<std::vector<Vec3>>& columns,
                                     Eigen::MatrixXd& H, Eigen::VectorXd& g) const
 {
-  const std::vector<std::vector<Vec3>> c = seen(displacement, columns);
+  const auto whole = along_directions(directions(displacement), columns);
+  const auto c = seen(displacement, columns);
   const std::vector<Vec3> off = at(displacement);
   const auto n = static_cast<Eigen::Index>(c.size());
   H = Eigen::MatrixXd::Zero(n, n);
@@ -105,16 +200,24 @@ void SkinResidual::normal_equations(const std::vector<Vec3>& displacement,
   for (Eigen::Index i = 0; i < n; ++i)
   {
     const auto& ci = c[static_cast<std::size_t>(i)];
-    for (std::size_t v = 0; v < off.size(); ++v)
-      g[i] += m_weight[v] * ci[v].dot(off[v]);
+    g[i] = product(m_weight, ci, off);
     for (Eigen::Index j = 0; j <= i; ++j)
-    {
-      const auto& cj = c[static_cast<std::size_t>(j)];
-      for (std::size_t v = 0; v < off.size(); ++v)
-        H(i, j) += m_weight[v] * ci[v].dot(cj[v]);
-      H(j, i) = H(i, j);
-    }
+      H(i, j) = H(j, i) = product(m_weight, ci, whole[static_cast<std::size_t>(j)]);
   }
+}
+
+SkinResidual skin_residual(const FaceModel& face, const SkinTarget& target, double wish_weight)
+{
+  SkinResidual residual(target, fit_weights(face, target));
+  std::vector<Vec3> positions(face.skin.vertices.size(), Vec3::Zero());
+  for (std::size_t v = 0; v < positions.size(); ++v)
+  {
+    const SkinWeights& w = face.skin.vertices[v];
+    for (std::size_t i = 0; i < static_cast<std::size_t>(w.count); ++i)
+      positions[v] += w.weight[i] * face.tissue.rest()[static_cast<std::size_t>(w.control[i])];
+  }
+  residual.doubt_registration(std::move(positions), wish_weight);
+  return residual;
 }
 
 std::vector<std::vector<Vec3>> skin_columns(const FaceModel& face, const MovementSpace& space,

@@ -16,14 +16,23 @@ std::vector<std::vector<Vec3>> fragment_velocities(const Discretization& tissue,
 
 /// What a target asks of a face, linearised: residuals along rows, one per reference-skin vertex and
 /// component (x, y, z; one component only where the target is a surface of its own).
+///
+/// Where the target's registration is in doubt, its shift and turn are eliminated: for every face
+/// they are those that lower the objective most (variable projection: G. Golub, V. Pereyra, SIAM J.
+/// Numer. Anal. 10 (1973) 413; the residual is linear in them, so this is exact).
 class SkinResidual
 {
 public:
+  using Vec6 = Eigen::Matrix<double, 6, 1>;
+
   /// \param weight  per reference-skin vertex; 0 leaves it out [mm^2]
   SkinResidual(const SkinTarget& target, std::vector<double> weight);
+  /// \param positions    of the reference skin at rest [mm]
+  /// \param wish_weight  what one squared standard deviation of a prior counts [mm^4]
+  void doubt_registration(std::vector<Vec3> positions, double wish_weight);
 
   const std::vector<double>& weight() const { return m_weight; }
-  /// 1/2 sum_v w_v |r_v|^2 [mm^4].
+  /// 1/2 sum_v w_v |r_v|^2 [mm^4], with what the registration's prior costs.
   double objective(const std::vector<Vec3>& displacement) const;
   /// What is left to the target, face minus target, one vector per vertex [mm].
   std::vector<Vec3> at(const std::vector<Vec3>& displacement) const;
@@ -33,17 +42,33 @@ public:
   void normal_equations(const std::vector<Vec3>& displacement,
                         const std::vector<std::vector<Vec3>>& columns, Eigen::MatrixXd& H,
                         Eigen::VectorXd& g) const;
-  /// The columns as the target sees them: without what it does not ask for.
+  /// The columns as the target sees them: without what it does not ask for, and what its
+  /// registration explains. The gradient is sum_v w_v c_v . r_v with these.
   std::vector<std::vector<Vec3>> seen(const std::vector<Vec3>& displacement,
                                       std::vector<std::vector<Vec3>> columns) const;
+  /// The target's shift [mm], and turn [rad] about the middle of what counts, that fit a face best;
+  /// zero where they are not in doubt.
+  Vec6 registration(const std::vector<Vec3>& displacement) const;
 
 private:
+  std::vector<std::vector<Vec3>> along_directions(const std::vector<Vec3>& direction,
+                                                  std::vector<std::vector<Vec3>> columns) const;
+  /// A field without its part that a shift and turn explain.
+  std::vector<Vec3> less_registration(const std::vector<std::vector<Vec3>>& rigid,
+                                      std::vector<Vec3> field) const;
+  Vec6 explained(const std::vector<std::vector<Vec3>>& rigid, const std::vector<Vec3>& field) const;
   /// Which direction counts, per vertex; empty: all.
   std::vector<Vec3> directions(const std::vector<Vec3>& displacement) const;
 
   const SkinTarget& m_target;
   std::vector<double> m_weight;
+  std::vector<std::vector<Vec3>> m_rigid; ///< what shifts and turns of the target do; may be empty
+  Vec6 m_prior = Vec6::Zero();            ///< their weights
 };
+
+/// Of a target with all that it says; as the fit and what propagates through it see it.
+/// \param wish_weight  as above
+SkinResidual skin_residual(const FaceModel& face, const SkinTarget& target, double wish_weight);
 
 /// Area times weight of the target per reference-skin vertex, 0 where no finite-element skin is
 /// near [mm^2].
