@@ -52,6 +52,7 @@ vtkSmartPointer<vtkLookupTable> common_map(const MapPanels& maps)
 Image map_panels_picture(const MapPanels& maps, PixelSize panel_size)
 {
   require_values(maps);
+  const ViewAxes axes = view_axes(require_view(maps.view));
   const OffscreenDisplay display;
   const QuietMessages quiet;
   std::vector<Surface> surfaces;
@@ -62,17 +63,18 @@ Image map_panels_picture(const MapPanels& maps, PixelSize panel_size)
     partly = partly || has_unknown_values(panel.surface, MapPanel::values);
   }
   const auto map = common_map(maps);
-  Picture picture(static_cast<int>(surfaces.size()), panel_size);
+  const int count = static_cast<int>(surfaces.size());
+  Picture picture(count, {count * panel_size.width, panel_size.height});
   const Margins margins = annotation_margins(picture.panel(0), partly ? 1 : 0);
-  const Extents box = extents(surfaces, maps.view);
+  const Extents box = extents(surfaces, axes);
   const double mm_per_pixel = fitting_mm_per_pixel(box, panel_size, margins);
   for (std::size_t i = 0; i < surfaces.size(); ++i)
   {
     const Panel& panel = picture.panel(static_cast<int>(i));
     add_map(panel, surfaces[i], MapPanel::values, map);
     add_title(panel, maps.panels[i].title, maps.panels[i].subtitle);
-    aim(panel, maps.view, box, margins, mm_per_pixel);
-    add_orientation(panel, maps.view);
+    aim(panel, axes, box, margins, mm_per_pixel);
+    add_orientation(panel, axes);
   }
   if (partly)
   {

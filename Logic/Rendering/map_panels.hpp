@@ -23,7 +23,7 @@ struct MapPanel
 struct MapPanels
 {
   std::vector<MapPanel> panels; ///< from left to right
-  View view = View::ThreeQuarter;
+  std::string view = "three-quarter-right"; ///< of named_views()
   bool is_signed = true; ///< diverging about zero; else from zero on
   double least_range_mm = 0.5;
   std::string bar_title;
