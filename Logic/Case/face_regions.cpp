@@ -1,11 +1,16 @@
 #include "Case/face_regions.hpp"
 
 #include "Bridge/grid_file.hpp"
+#include "Bridge/json_file.hpp"
 #include "Bridge/point_labels.hpp"
 #include "Core/error.hpp"
 #include "Core/inverse/skin_error.hpp"
 #include "Core/mesh/skin_over_bone.hpp"
 
+#include <vtkNew.h>
+#include <vtkStaticPointLocator.h>
+
+#include <cmath>
 #include <cstdio>
 
 namespace f2b
@@ -50,24 +55,78 @@ SkinParts skin_parts(const CaseFolder& folder, const LoadedFace& face)
                           face.reference_skin.points)};
 }
 
-json regions_json(const TriangleMesh& skin, const std::vector<FaceRegion>& regions,
-                  const std::vector<std::string>& missing)
+json region_areas(const TriangleMesh& skin, const std::vector<FaceRegion>& regions)
 {
   const std::vector<double> areas = vertex_areas(skin);
-  json names = json::array(), area_mm2 = json::object();
+  json area_mm2 = json::object();
   for (const FaceRegion region : all_face_regions())
   {
-    names.push_back(key_of(region));
     double area = 0;
     for (std::size_t v = 0; v < areas.size(); ++v)
       area += regions[v] == region ? areas[v] : 0;
     area_mm2[key_of(region)] = area;
   }
+  return area_mm2;
+}
+
+namespace
+{
+
+/// Whether a skin's regions are not those whose areas are told.
+bool are_edited(const TriangleMesh& skin, const std::vector<FaceRegion>& regions, const json& told)
+{
+  if (!told.contains(made_area_key))
+    return false;
+  const json areas = region_areas(skin, regions);
+  for (const auto& [key, area] : areas.items())
+    if (std::abs(area.get<double>() - told.at(made_area_key).value(key, 0.0)) > 0.01)
+      return true;
+  return false;
+}
+
+} // namespace
+
+std::optional<std::vector<FaceRegion>>
+edited_regions(const CaseSession& session, const TriangleMesh& skin, std::vector<FaceRegion> made)
+{
+  constexpr double same_place_mm = 3;
+  const CaseFolder& folder = session.folder;
+  for (const char* name : {case_settings_name, "skin.vtp", "segment.json"})
+    if (!folder.has(name))
+      return std::nullopt;
+  if (read_json(folder.file(case_settings_name)).value("ct", "") !=
+      session.document.value("ct", ""))
+    return std::nullopt;
+  const auto before = read_surface(folder.file("skin.vtp"));
+  const std::vector<FaceRegion> edited = regions_of_skin(before);
+  const json told = read_json(folder.file("segment.json")).value("regions", json::object());
+  if (!are_edited(to_triangle_mesh(before), edited, told))
+    return std::nullopt;
+  vtkNew<vtkStaticPointLocator> locator;
+  locator->SetDataSet(before);
+  locator->BuildLocator();
+  for (std::size_t v = 0; v < made.size(); ++v)
+  {
+    double squared = 0;
+    const vtkIdType near =
+        locator->FindClosestPointWithinRadius(same_place_mm, skin.points[v].data(), squared);
+    if (near >= 0)
+      made[v] = edited[static_cast<std::size_t>(near)];
+  }
+  return made;
+}
+
+json regions_json(const TriangleMesh& skin, const std::vector<FaceRegion>& regions,
+                  const std::vector<std::string>& missing)
+{
+  json names = json::array();
+  for (const FaceRegion region : all_face_regions())
+    names.push_back(key_of(region));
   return {{"array", skin_region_array},
           {"names", names},
           {"from", missing.empty() ? "landmarks" : "nothing"},
           {"missing_landmarks", missing},
-          {"area_mm2", area_mm2}};
+          {"area_mm2", region_areas(skin, regions)}};
 }
 
 std::string regions_note(const std::vector<std::string>& missing)

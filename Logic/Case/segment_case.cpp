@@ -110,12 +110,18 @@ void segment_case(CaseSession& session)
   const Landmarks landmarks =
       session.settings.landmarks.empty() ? Landmarks{} : read_landmarks(session.settings.landmarks);
   const TriangleMesh skin_mesh = to_triangle_mesh(skin);
-  const std::vector<FaceRegion> regions = face_regions(skin_mesh.points, landmarks);
+  const std::vector<FaceRegion> made = face_regions(skin_mesh.points, landmarks);
+  const auto edited = edited_regions(session, skin_mesh, made);
+  const std::vector<FaceRegion>& regions = edited ? *edited : made;
   add_regions(skin, regions);
   const std::vector<std::string> missing = missing_for_face_regions(landmarks);
   std::vector<std::string> notes = head.notes;
   if (!missing.empty())
     notes.push_back(regions_note(missing));
+  if (edited)
+    notes.push_back("the regions of the face that were edited in skin.vtp are kept");
+  json told_regions = regions_json(skin_mesh, regions, missing);
+  told_regions[made_area_key] = region_areas(skin_mesh, made);
 
   session.progress("writing", 0.9);
   CaseChange change(session.folder);
@@ -138,7 +144,7 @@ void segment_case(CaseSession& session)
                {{"min", to_json(head.region_ras.min)}, {"max", to_json(head.region_ras.max)}}},
               {"skin", surface_facts(skin)},
               {"bone", surface_facts(bone)},
-              {"regions", regions_json(skin_mesh, regions, missing)},
+              {"regions", told_regions},
               {"notes", notes}});
   change.commit("segment");
   session.progress("segmented", 1);

@@ -17,7 +17,7 @@ namespace
 
 using nlohmann::json;
 
-/// Farther than this, a mesh is no edited copy of the reference skin.
+/// Farther than this, a mesh is no edited copy of the reference skin, and a target no plan.
 constexpr double longest_displacement_mm = 100;
 
 std::string millimetres(double value)
@@ -155,6 +155,10 @@ void target_case(CaseSession& session)
     if (made.weight[v] > 0)
       peak = std::max(peak, displacement[v].norm());
   }
+  if (peak > longest_displacement_mm)
+    throw Error("target", "it moves the skin by up to " + millimetres(peak),
+                "no operation moves a face by more than " + millimetres(longest_displacement_mm) +
+                    ": check the points, and the frame of their file");
   const vtkSmartPointer<vtkPolyData> surface = with_points(skin, points);
   add_point_array(surface, "displacement", displacement);
   add_point_array(surface, "weight", masked(made.weight, displacement, target.mask_mm));

@@ -22,6 +22,27 @@ const Vec3& nearest_vertex(const std::vector<Vec3>& skin, const Vec3& point)
                            { return (a - point).squaredNorm() < (b - point).squaredNorm(); });
 }
 
+const Vec3& landmark_of(const Landmarks& landmarks, const std::string& name,
+                        const std::string& target)
+{
+  const auto found = landmarks.find(name);
+  if (found == landmarks.end())
+    throw Error("target '" + target + "' of Experiment 3",
+                "the landmark '" + name + "' is not there",
+                "add it to the case's landmarks, or evaluate --experiments 1,2");
+  return found->second;
+}
+
+/// Of a landmark, or the middle of two.
+Vec3 place_of(const Landmarks& landmarks, const std::string& name, const std::string& target)
+{
+  const std::size_t bar = name.find('|');
+  if (bar == std::string::npos)
+    return landmark_of(landmarks, name, target);
+  return 0.5 * (landmark_of(landmarks, name.substr(0, bar), target) +
+                landmark_of(landmarks, name.substr(bar + 1), target));
+}
+
 TargetRecipe recipe_from(const json& document)
 {
   TargetRecipe recipe;
@@ -42,12 +63,7 @@ std::vector<Vec3> TargetRecipe::displacement(const std::vector<Vec3>& skin,
   std::vector<Vec3> from, to;
   for (const auto& [landmark, shift] : points)
   {
-    const auto found = landmarks.find(landmark);
-    if (found == landmarks.end())
-      throw Error("target '" + name + "' of Experiment 3",
-                  "the landmark '" + landmark + "' is not there",
-                  "add it to the case's landmarks, or evaluate --experiments 1,2");
-    from.push_back(nearest_vertex(skin, found->second));
+    from.push_back(nearest_vertex(skin, place_of(landmarks, landmark, name)));
     to.push_back(from.back() + shift);
   }
   const LandmarkWarp warp(from, to, radius_mm);

@@ -239,6 +239,22 @@ TEST(BadInput, TargetWordsThatMakeNoSense)
   expect_refusal({"target", dir, "--warp-from", (folder / "a.json").string(), "--warp-to",
                   (folder / "a.json").string(), "--warp-radius", "-1"},
                  {"radius_mm", "-1"}, dir);
+  write_landmarks(folder / "c.json", {{"prn", {0, 260, -40}}});
+  expect_refusal({"target", dir, "--warp-from", (folder / "a.json").string(), "--warp-to",
+                  (folder / "c.json").string()},
+                 {"target", "moves the skin by up to 1", "100.0 mm"}, dir);
+}
+
+TEST(BadInput, AScanThatDoesNotOverlapTheFace)
+{
+  const TemporaryFolder folder;
+  const Path segmented = segmented_case();
+  TriangleMesh scan = to_triangle_mesh(read_surface(segmented / "skin.vtp"));
+  for (Vec3& p : scan.points)
+    p.x() += 300;
+  write_surface(folder / "scan.vtp", to_polydata(scan));
+  expect_refusal({"target", segmented.string(), "--scan", (folder / "scan.vtp").string()},
+                 {"scan.vtp", "overlaps the face in 0 of", "register the scan"}, segmented);
 }
 
 TEST(BadInput, StepsBeforeTheirTurn)

@@ -12,6 +12,8 @@
 #include "Verification/bone_error.hpp"
 #include "Verification/meshed_case.hpp"
 
+#include <ctime>
+
 namespace f2b::verification
 {
 namespace
@@ -78,10 +80,12 @@ json measured(const CaseSession& session)
       wanted.skin_displacement, std::vector<double>(wanted.skin_displacement.size(), 1.0), {}};
   const FragmentSurfaces bones(session.folder, face.mesh.fragments);
 
+  const std::clock_t begin = std::clock();
   const Stopwatch fitting;
   const RigidFitResult plan = fit_fragments(model, target, {}, no_progress);
   json fit = effort_json(plan.equilibrium);
   fit.update({{"seconds", fitting.seconds()},
+              {"processor_s", static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC},
               {"converged", plan.termination == RigidFitTermination::Converged},
               {"iterations", plan.iterations.size()},
               {"bone_error_mm", bones.mean_mm(plan.motions, truth)}});

@@ -45,6 +45,9 @@ TEST(TargetRecipes, TakeTheVerticesNearestToTheLandmarksThere)
   EXPECT_NEAR((d[0] - Vec3(0, 3, 0)).norm(), 0, 1e-12);
   EXPECT_NEAR(d[1].norm(), 0, 1e-12);
   EXPECT_EQ(d[2].norm(), 0);
+  TargetRecipe between = recipe;
+  between.points = {{"A|B", {0, 0, 2}}}; // their middle is nearest to the second vertex
+  EXPECT_NEAR(between.displacement(skin, {{"A", {1, 0, 0}}, {"B", {11, 0, 0}}})[1].z(), 2, 1e-12);
   test::expect_error(
       [&] {
         (void)recipe.displacement(skin, {{"A", {1, -2, 0}}});

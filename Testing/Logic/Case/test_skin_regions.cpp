@@ -1,6 +1,7 @@
 #include "expect_error.hpp"
 #include "temporary_folder.hpp"
 
+#include <Bridge/json_file.hpp>
 #include <Bridge/point_labels.hpp>
 #include <Case/face_regions.hpp>
 #include <Case/plan_findings.hpp>
@@ -59,6 +60,60 @@ TEST(SkinRegions, SegmentTellsNamesAndAreas)
   EXPECT_NEAR(told.at("area_mm2").at("chin").get<double>(), 2.0 / 3, 1e-12);
   EXPECT_NEAR(told.at("area_mm2").at("nose").get<double>(), 4 - 2.0 / 3, 1e-12);
   EXPECT_NE(regions_note({"N", "Pg"}).find("N, Pg"), std::string::npos);
+}
+
+/// A case whose `segment` made all of a square the nose.
+struct SegmentedSquare
+{
+  SegmentedSquare()
+  {
+    const auto skin = square();
+    add_regions(skin, made);
+    write_surface(folder / "skin.vtp", skin);
+    const nlohmann::json areas = region_areas(to_triangle_mesh(skin), made);
+    write_json(folder / "segment.json", {{"regions", {{made_area_key, areas}}}});
+    write_json(folder / "case.json", settings("ct.nrrd"));
+  }
+  nlohmann::json settings(const char* ct) const
+  {
+    return {{"schema", "facetobone-case/1"},
+            {"ct", (folder / ct).string()},
+            {"osteotomies",
+             {{{"fragment", "chin"},
+               {"planes", {"plane.mrk.json"}},
+               {"fragment_point_ras", {0, 0, 0}}}}},
+            {"target", {{"mesh", "t.vtp"}}}};
+  }
+  void edit() const
+  {
+    const auto skin = read_surface(folder / "skin.vtp");
+    add_regions(skin, {FaceRegion::Chin, FaceRegion::Nose, FaceRegion::Nose, FaceRegion::Nose});
+    write_surface(folder / "skin.vtp", skin);
+  }
+  std::optional<std::vector<FaceRegion>> kept(const char* ct = "ct.nrrd") const
+  {
+    TriangleMesh skin = to_triangle_mesh(square());
+    skin.points.push_back({1, 1, 50}); // far from all that was edited
+    const CaseSession session(folder.path(), settings(ct), folder / "case.json");
+    std::vector<FaceRegion> again = made;
+    again.push_back(FaceRegion::Neck);
+    return edited_regions(session, skin, again);
+  }
+
+  const TemporaryFolder folder;
+  const std::vector<FaceRegion> made = std::vector<FaceRegion>(4, FaceRegion::Nose);
+};
+
+TEST(SkinRegions, ThatWereEditedOutliveANewSegmentation)
+{
+  const SegmentedSquare segmented;
+  EXPECT_FALSE(segmented.kept()) << "nobody edited them";
+  segmented.edit();
+  const auto kept = segmented.kept();
+  ASSERT_TRUE(kept);
+  EXPECT_EQ(*kept, (std::vector<FaceRegion>{FaceRegion::Chin, FaceRegion::Nose, FaceRegion::Nose,
+                                            FaceRegion::Nose, FaceRegion::Neck}));
+  EXPECT_FALSE(segmented.kept("another.nrrd")) << "another patient's";
 }
 
 BoneMeeting meeting(double overlap_mm, double gap_mm)

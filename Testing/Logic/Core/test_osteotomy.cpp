@@ -166,6 +166,18 @@ TEST(Osteotomy, PlaneThatMissesIsNamed)
                {"'end'", "'far'", "misses the bone", "move or enlarge"});
 }
 
+TEST(Osteotomy, TwoFragmentsThatAreOnePieceAreRefused)
+{
+  const ScalarGrid bone = box_bone();
+  Osteotomy same = cut_at(5, 22);
+  same.fragment = "other";
+  expect_error(
+      [&] {
+        cut_bone(bone, bone, {cut_at(5, 20), same});
+      },
+      {"'end' and 'other'", "the same piece of bone", "add a plane between them"});
+}
+
 TEST(Osteotomy, CutsThatDoNotFreeAreRefused)
 {
   const ScalarGrid bone = box_bone();
