@@ -46,6 +46,24 @@ def faults(path, room):
 found = [fault for room in ROOMS for path in sorted((root / "Logic" / room).rglob("*.*"))
          if path.suffix in {".hpp", ".cpp", ".h", ".cxx"}
          for fault in faults(path, room)]
+
+
+def mrml_faults(path):
+    """What shares its sources with Slicer: no Slicer header besides those that the stand-in has, in MRML no room above it."""
+    in_mrml = path.is_relative_to(root / "MRML")
+    for number, line in enumerate(path.read_text().splitlines(), 1):
+        include = re.match(r'\s*#\s*include\s*[<"]([^>"]+)[>"]', line)
+        header = include.group(1) if include else ""
+        slicer = re.match(r"vtkMRML|vtkSlicer|vtkArchive|vtkObserverManager|qMRML|qSlicer", header)
+        if slicer and "FaceToBone" not in header and header not in stand_in:
+            yield f"{path.relative_to(root)}:{number}: MRML/StandIn has no {header}"
+        if in_mrml and (header.split("/")[0] in ROOMS or re.match(r"Q[A-Z]|CGAL/", header)):
+            yield f"{path.relative_to(root)}:{number}: MRML must not include {header}"
+
+
+stand_in = {path.name for path in (root / "MRML" / "StandIn").rglob("*.h")}
+found += [fault for folder in ("MRML", "Logic", "Widgets") for path in sorted((root / folder).rglob("*.*"))
+          if path.suffix in {".h", ".cxx"} and "Module" not in path.parts for fault in mrml_faults(path)]
 holds = {entry.name for entry in root.iterdir() if not entry.name.startswith(".")}
 extra = holds - {"CMakeLists.txt", "CMakePresets.json", "README.md", "LICENSE", "Logic", "MRML", "Widgets",
                  "Testing", "Resources"}

@@ -267,6 +267,23 @@ def benchmarks(tier):
     return rows
 
 
+def scenes(tier):
+    """MRML scenes: 1000 damaged files, and a big scene's times against plain copies on the same disk."""
+    folder = tier.tool("MRML/StandIn")
+    done = subprocess.run([folder / "test_mrml_mutations"], capture_output=True, text=True,
+                          env=dict(os.environ, F2B_MUTATIONS="1000"))
+    damaged = re.search(r"(\d+) damaged files", done.stdout)
+    times = json.loads(subprocess.run([folder / "scene_times", tier.work], capture_output=True, text=True,
+                                      check=True).stdout)
+    return [("damaged files, none of which crashed", int(damaged[1]) if damaged else 0, "1000",
+             damaged is not None and int(damaged[1]) == 1000 and done.returncode == 0),
+            ("scene [MB]", times["megabytes"], "printed", True),
+            ("plain copies, written and read [s]", times["raw_s"], "printed", True),
+            ("scene saved [s]", times["save_s"], "printed", True),
+            ("scene loaded [s]", times["load_s"], "printed", True),
+            ("scene's times to the copies'", times["ratio"], "<= 2", times["ratio"] <= 2)]
+
+
 def sanitizers(tier):
     """The whole Core test suite under ASan and UBSan."""
     root = here.parent.parent
@@ -595,6 +612,7 @@ CHECKS = {
     "mtm_lfem": mtm_lfem,
     "calculix": calculix,
     "benchmarks": benchmarks,
+    "scenes": scenes,
     "sanitizers": sanitizers,
 }
 

@@ -99,6 +99,7 @@ public:
   void RegisterNodeClass(vtkMRMLNode* node);
   void RegisterAbstractNodeClass(std::string className, std::string typeDisplayName);
   bool IsNodeClassRegistered(const std::string& className);
+  void CopyRegisteredNodesToScene(vtkMRMLScene* scene);
   int GetNumberOfRegisteredNodeClasses();
   vtkMRMLNode* GetNthRegisteredNodeClass(int n);
   const char* GetClassNameByTag(const char* tagName);

@@ -4,6 +4,7 @@
 
 #include "vtkArchive.h"
 #include "vtkMRMLMessageCollection.h"
+#include "vtkMRMLSavedFiles.h"
 #include "vtkMRMLStorableNode.h"
 #include "vtkMRMLStorageNode.h"
 #include "vtkMRMLUnknownNode.h"
@@ -11,6 +12,9 @@
 #include <vtkImageData.h>
 #include <vtkPNGWriter.h>
 #include <vtksys/Glob.hxx>
+
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cctype>
@@ -22,16 +26,17 @@
 namespace
 {
 
-/// A new folder that goes with the object.
+/// A folder that goes with the object.
 class TemporaryFolder
 {
 public:
-  explicit TemporaryFolder(const std::string& parent)
+  /// What a killed program left there goes first.
+  explicit TemporaryFolder(const std::string& path)
   {
-    std::string name = parent + "/.bundle~XXXXXX";
-    if (mkdtemp(name.data()))
+    vtksys::SystemTools::RemoveADirectory(path);
+    if (mkdir(path.c_str(), 0700) == 0)
     {
-      this->Path = name;
+      this->Path = path;
     }
   }
   ~TemporaryFolder()
@@ -44,13 +49,16 @@ public:
   TemporaryFolder(const TemporaryFolder&) = delete;
   void operator=(const TemporaryFolder&) = delete;
 
-  std::string Path;
+  std::string Path; ///< empty where it could not be made
 };
 
-std::string SystemTemporaryFolder()
+/// A name of our own below the system's folder for temporary files.
+std::string UnpackingFolder()
 {
-  const char* folder = std::getenv("TMPDIR");
-  return folder && *folder ? folder : "/tmp";
+  const char* parent = std::getenv("TMPDIR");
+  static int count = 0;
+  return std::string(parent && *parent ? parent : "/tmp") + "/mrb~" + std::to_string(getpid()) + "-"
+       + std::to_string(++count);
 }
 
 } // namespace
@@ -102,7 +110,7 @@ bool vtkMRMLScene::WriteToMRB(const char* filename, vtkImageData* thumbnail,
                               vtkMRMLMessageCollection* userMessages)
 {
   const std::string path = vtksys::SystemTools::CollapseFullPath(filename ? filename : "");
-  const TemporaryFolder work(vtksys::SystemTools::GetParentDirectory(path));
+  const TemporaryFolder work(vtkMRMLSavedFiles::Temporary(path) + ".folder");
   const std::string folder =
     work.Path + "/" + vtksys::SystemTools::GetFilenameWithoutLastExtension(path);
   const bool written = !work.Path.empty() && vtksys::SystemTools::MakeDirectory(folder)
@@ -309,7 +317,7 @@ bool vtkMRMLScene::ReadFromMRB(const char* fullName, bool clear,
     messages = vtkSmartPointer<vtkMRMLMessageCollection>::New();
   }
   const std::string path = vtksys::SystemTools::CollapseFullPath(fullName ? fullName : "");
-  const TemporaryFolder work(SystemTemporaryFolder());
+  const TemporaryFolder work(UnpackingFolder());
   const std::string scene =
     work.Path.empty() ? "" : UnpackSlicerDataBundle(path.c_str(), work.Path.c_str(), messages);
   if (scene.empty())

@@ -93,6 +93,18 @@ bool vtkMRMLScene::IsNodeClassRegistered(const std::string& className)
                      { return className == one.Node->GetClassName(); });
 }
 
+void vtkMRMLScene::CopyRegisteredNodesToScene(vtkMRMLScene* scene)
+{
+  for (const RegisteredClass& one : this->RegisteredClasses)
+  {
+    if (scene && !scene->GetClassNameByTag(one.Tag.c_str()))
+    {
+      scene->RegisterNodeClass(
+        vtkSmartPointer<vtkMRMLNode>::Take(one.Node->CreateNodeInstance()), one.Tag.c_str());
+    }
+  }
+}
+
 int vtkMRMLScene::GetNumberOfRegisteredNodeClasses()
 {
   return static_cast<int>(this->RegisteredClasses.size());
