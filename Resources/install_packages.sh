@@ -7,6 +7,7 @@ install_missing_packages()
   command -v dpkg-query >/dev/null || { echo "This is no Debian: install what $list names, then build with CMake." >&2; return 1; }
   mapfile -t wanted < <(sed 's/#.*//' "$list" | awk 'NF {print $1}')
   for package in "${wanted[@]}"; do
+    command -v "$package" >/dev/null && continue # a program of that name, from wherever
     [ "$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null)" = installed ] || missing+=("$package")
   done
   [ ${#missing[@]} -eq 0 ] && return 0

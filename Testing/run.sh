@@ -22,6 +22,7 @@ done
 # shellcheck source=Resources/install_packages.sh
 source "$root/Resources/install_packages.sh"
 install_missing_packages "$root/Resources/packages.txt"
+install_missing_packages "$root/Testing/packages.txt"
 
 cd "$root"
 cmake --preset release
@@ -30,4 +31,5 @@ if [ ${#full[@]} -gt 0 ]; then
   exec python3 Testing/Verification/full_tier.py --program .build/release/bin/facetobone \
     --data "$FACETOBONE_DATA" --work .build/full "${full[@]:1}"
 fi
+bash Testing/Browser/test_report_page.sh .build/release/browser --install
 ctest --preset release -j2

@@ -108,28 +108,29 @@ std::vector<std::string> files_below(const Path& folder)
 /// reference skin, so it outlives new cuts and meshes; suggested cuts rest on the target alone.
 const std::vector<std::string>& outdated_by(const std::string& step)
 {
-  static const std::map<std::string, std::vector<std::string>> table = {
-      {"sample", {"sample"}},
-      {"segment",
-       {"segment", "cut", "mesh", "target", "suggest", "plan", "predict", "report", "evaluate",
-        "export calculix", "export febio", "export vtu"}},
-      {"cut",
-       {"cut", "mesh", "plan", "predict", "report", "evaluate", "export calculix", "export febio",
-        "export vtu"}},
-      {"mesh",
-       {"mesh", "plan", "predict", "report", "evaluate", "export calculix", "export febio",
-        "export vtu"}},
-      {"target",
-       {"target", "suggest", "plan", "predict", "report", "export calculix", "export febio",
-        "export vtu"}},
-      {"suggest", {"suggest", "report"}},
-      {"plan", {"plan", "predict", "report", "export calculix", "export febio", "export vtu"}},
-      {"predict", {"predict", "report"}},
-      {"export calculix", {"export calculix"}},
-      {"export febio", {"export febio"}},
-      {"export vtu", {"export vtu"}},
-      {"evaluate", {"evaluate"}},
-      {"report", {"report"}}};
+  static const std::map<std::string, std::vector<std::string>> table = []
+  {
+    // what an export holds rests on the plan, or on what the plan rests on
+    const std::vector<std::string> exports = {"export calculix", "export febio", "export vtu",
+                                              "export stl", "export ply"};
+    std::map<std::string, std::vector<std::string>> steps = {
+        {"sample", {"sample"}},
+        {"segment",
+         {"segment", "cut", "mesh", "target", "suggest", "plan", "predict", "report", "evaluate"}},
+        {"cut", {"cut", "mesh", "plan", "predict", "report", "evaluate"}},
+        {"mesh", {"mesh", "plan", "predict", "report", "evaluate"}},
+        {"target", {"target", "suggest", "plan", "predict", "report"}},
+        {"suggest", {"suggest", "report"}},
+        {"plan", {"plan", "predict", "report"}},
+        {"predict", {"predict", "report"}},
+        {"evaluate", {"evaluate"}},
+        {"report", {"report"}}};
+    for (const char* step_before : {"segment", "cut", "mesh", "target", "plan"})
+      steps[step_before].insert(steps[step_before].end(), exports.begin(), exports.end());
+    for (const std::string& one : exports)
+      steps[one] = {one};
+    return steps;
+  }();
   return table.at(step);
 }
 

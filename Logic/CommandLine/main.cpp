@@ -1,6 +1,7 @@
 #include "Bridge/json_file.hpp"
 #include "Case/evaluation_tables.hpp"
 #include "Case/fit_summary.hpp"
+#include "Case/print_case.hpp"
 #include "Case/verbs.hpp"
 #include "CommandLine/plan_table.hpp"
 #include "CommandLine/progress_bar.hpp"
@@ -127,7 +128,10 @@ void export_deck(const Arguments& a, const Progress& progress)
   if (!a.movements.empty())
     document["predict"] = movements_from_arguments(a.movements);
   session.change_settings(document, from_arguments);
-  export_case(session, a.exported);
+  if (a.exported.format == "stl" || a.exported.format == "ply")
+    export_fragments(session, a.exported.format, a.exported.file);
+  else
+    export_case(session, a.exported);
 }
 
 void add_screenshot(CLI::App& app, Arguments& a, std::map<CLI::App*, Action>& actions)
@@ -243,12 +247,17 @@ void add_fit_material(CLI::App& app, Arguments& a, std::map<CLI::App*, Action>& 
 void add_export(CLI::App& app, Arguments& a, std::map<CLI::App*, Action>& actions)
 {
   CLI::App* verb = add_movements(
-      add_verb(app, a, "export", "Write the forward problem of a movement for another engine"), a);
-  verb->add_option("--format", a.exported.format,
-                   "calculix (.inp), febio (.feb 4.0) or vtu (mesh, tissues, boundary, movement)")
+      add_verb(app, a, "export",
+               "Write a movement's forward problem for another engine, or fragments for printing"),
+      a);
+  verb->add_option(
+          "--format", a.exported.format,
+          "calculix (.inp), febio (.feb 4.0), vtu (mesh, tissues, boundary, movement), stl or "
+          "ply (fragments at rest and planned)")
       ->required()
-      ->check(CLI::IsMember({"calculix", "febio", "vtu"}));
-  verb->add_option("-o,--output", a.exported.file, "File to write; export.* in DIR where absent");
+      ->check(CLI::IsMember({"calculix", "febio", "vtu", "stl", "ply"}));
+  verb->add_option("-o,--output", a.exported.file,
+                   "File to write, a folder for stl and ply; in DIR where absent");
   verb->add_flag("--split-prisms", a.exported.split_prisms,
                  "Tetrahedra only: three for each prism of the skin");
   verb->add_option("--increments", a.exported.increments, "Equal shares of the movement")

@@ -45,15 +45,16 @@ void add_bar(const Panel& panel, const PanelPosition& from, const PanelPosition&
 }
 
 // Beyond the bar's end, on the side that the bar points to.
-void add_number(const Panel& panel, const PanelPosition& at, bool to_the_left,
+void add_number(const Panel& panel, const PanelPosition& from, const PanelPosition& at,
                 const std::string& text)
 {
   const double unit = annotation_unit(panel);
   const double size = 20 * unit, width = 0.62 * size * static_cast<double>(text.size());
-  const double wanted = to_the_left ? at.x - 14 * unit - width : at.x + 14 * unit;
+  const double wanted = at.x < from.x - 1 ? at.x - 14 * unit - width : at.x + 14 * unit;
+  const double y = at.y < from.y - 1 ? at.y - 8 * unit - 1.35 * size : at.y + 6 * unit;
   const double x = std::clamp(wanted, 0.0, panel.size.width - width);
-  add_rectangle(panel, x, at.y + 6 * unit, width, 1.35 * size, {1, 1, 1}, 0.82);
-  add_text(panel, x + 0.5 * width, at.y + 6 * unit + 0.12 * size, text,
+  add_rectangle(panel, x, y, width, 1.35 * size, {1, 1, 1}, 0.82);
+  add_text(panel, x + 0.5 * width, y + 0.12 * size, text,
            {size, true, Align::Centre, 0, interval_colour});
 }
 
@@ -125,7 +126,7 @@ void add_interval_glyph(const Panel& panel, const FragmentPicture& fragment, con
     const PanelPosition begin = seen_at(panel, axes, low, mm_per_pixel);
     const PanelPosition end = seen_at(panel, axes, high, mm_per_pixel);
     add_bar(panel, begin, end, annotation_unit(panel));
-    add_number(panel, end, end.x < begin.x - 1, half_width_text(half) + " mm");
+    add_number(panel, begin, end, half_width_text(half) + " mm");
   }
 }
 

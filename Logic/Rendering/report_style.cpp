@@ -52,7 +52,7 @@ footer { margin-top: 3rem; border-top: 1px solid #cfd5db; padding-top: .6rem;
 .controls { display: flex; flex-wrap: wrap; gap: .5rem 1.4rem; padding: .7rem .9rem;
   background: #f3f5f7; align-items: center; }
 .controls label { display: inline-flex; align-items: center; gap: .4rem; }
-.controls .slide { flex: 1 1 20rem; }
+.controls .slide { flex: 1 1 100%; }
 .controls input[type=range] { flex: 1; min-width: 8rem; }
 .controls button, .controls select { font: inherit; padding: .15rem .6rem; }
 .viewer .scale { display: flex; align-items: center; gap: .6rem; padding: .4rem .9rem;

@@ -185,6 +185,7 @@
     skin.material.depthWrite = how !== 'veil';
     skin.material.vertexColors = map ? THREE.VertexColors : THREE.NoColors;
     skin.material.color.setRGB(...(map ? [1, 1, 1] : data.skin.colour));
+    skin.material.specular.setHex(map ? 0x000000 : 0x222222); // gloss would hide the map
     skin.material.needsUpdate = true;
     element('scale').hidden = !map;
     draw();

@@ -16,6 +16,7 @@
 #include <cstdlib>
 #include <functional>
 #include <limits>
+#include <set>
 
 namespace
 {
@@ -159,6 +160,38 @@ TEST_F(PlanPicturesOf100mm, DistanceMapIsBlueBehindAndRedInFront)
   EXPECT_EQ(
       count(image, [&](const Pixel& p, int x, int y) { return upper(y) && x < 180 && p.is_red(); }),
       0);
+}
+
+TEST_F(PlanPicturesOf100mm, BarHasAllColoursOfItsMapAndDarkNumbers)
+{
+  const Image image = draw(m_scene, {Subject::DistanceMap}, around, {700, 740});
+  std::set<int> bar, ink;
+  for (int x = 700; x < 1400; ++x)
+    for (int y = 5; y < 110; ++y)
+    {
+      const Pixel p = pixel(image, x, y);
+      if (p.is_blue() || p.is_red())
+        bar.insert(p.red * 65536 + p.green * 256 + p.blue);
+      if (p.red < 60 && p.green < 60 && p.blue < 70)
+        ink.insert(x);
+    }
+  EXPECT_GT(bar.size(), 100u);
+  EXPECT_GT(ink.size(), 40u) << "ticks and numbers";
+}
+
+TEST_F(PlanPicturesOf100mm, ContourLinesAreDrawnWhereTheyAreCrossed)
+{
+  PlanPictures plan = toy_plan(100);
+  vtkDataArray* distance = plan.predicted->GetPointData()->GetArray(signed_distance_array);
+  const auto dark = [&](double slope)
+  {
+    for (vtkIdType i = 0; i < plan.predicted->GetNumberOfPoints(); ++i)
+      distance->SetTuple1(i, slope * plan.predicted->GetPoint(i)[2]);
+    const Image image = draw(PlanScene(plan), {Subject::DistanceMap}, {frontal}, {400, 500});
+    return count(image, [](const Pixel& p, int x, int y)
+                 { return x > 120 && x < 280 && y > 150 && y < 340 && p.red < 50 && p.blue < 50; });
+  };
+  EXPECT_GT(dark(0.1), dark(0.001) + 100);
 }
 
 TEST_F(PlanPicturesOf100mm, DistanceMapShowsUnknownValuesInGrey)
