@@ -560,6 +560,30 @@ def plan_time(tier):
     return rows
 
 
+def postoperative(tier):
+    """What happened is found again in a CT that is made of it, resliced and with noise."""
+    work = tier.work / "postoperative"
+    shutil.rmtree(work, ignore_errors=True)
+    folder = cut_head(tier, "cthead_unc", 1, 0.25)
+    done = subprocess.run([tier.tool("Verification/postoperative"), folder, work], capture_output=True, text=True,
+                          env=dict(os.environ, FACETOBONE_DATA=str(tier.data)))
+    if done.returncode:
+        raise RuntimeError(done.stderr.strip())
+    rows = []
+    for i, told in enumerate(load(work / "postoperative.json"), 1):
+        bone = max(f["largest_mm"] for f in told["fragments"])
+        rows += [(f"reslice {i}: registration off by [mm]", told["registration_largest_mm"], "< 0.3",
+                  told["registration_largest_mm"] < 0.3),
+                 (f"reslice {i}: registration off by [deg]", told["registration_deg"], "< 0.3", told["registration_deg"] < 0.3),
+                 (f"reslice {i}: bone movement off by, at most [mm]", bone, "< 0.5", bone < 0.5)]
+    seconds = tier.run("evaluate", folder, "--experiments", "1,2", "--postoperative", work / "after.nrrd")
+    told = load(folder / "evaluation" / "evaluation.json")
+    s2 = told["experiment2"]["rows"][1]["methods"]
+    return rows + [("evaluate --postoperative [s]", seconds, "printed", True),
+                   ("S2 on its skin, rigid-fit, bone error [mm]", s2["rigid-fit"]["bone_error_mm"]["mean"], "printed", True),
+                   ("S2 on its skin, virtual-force [mm]", s2["virtual-force"]["bone_error_mm"]["mean"], "printed", True)]
+
+
 def experiments(tier, name):
     """The paper's three experiments by one command; figures are printed, what must hold is required."""
     folder = cut_head(tier, name, 1, {"sample": 0.6}.get(name, 1))
@@ -608,6 +632,7 @@ CHECKS = {
     "mismatched_truth": mismatched_truth,
     "experiments_sample": lambda tier: experiments(tier, "sample"),
     "experiments_cthead": lambda tier: experiments(tier, "cthead_unc"),
+    "postoperative": postoperative,
     "plan_time": plan_time,
     "mtm_lfem": mtm_lfem,
     "calculix": calculix,
