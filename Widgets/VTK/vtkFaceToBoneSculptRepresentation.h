@@ -22,8 +22,9 @@ class vtkFaceToBoneSculptRepresentation : public vtkFaceToBoneToolRepresentation
 {
 public:
   static vtkFaceToBoneSculptRepresentation* New();
-  vtkTypeMacro(vtkFaceToBoneSculptRepresentation, vtkFaceToBoneToolRepresentation)
-  void PrintSelf(ostream& os, vtkIndent indent) override;
+  vtkTypeMacro(vtkFaceToBoneSculptRepresentation,
+               vtkFaceToBoneToolRepresentation) void PrintSelf(ostream& os,
+                                                               vtkIndent indent) override;
 
   static constexpr const char* DisplacementArray = "displacement";
   static constexpr const char* LengthArray = "displacement_mm"; ///< signed: negative is inwards

@@ -35,8 +35,8 @@ class vtkFaceToBoneSculptWidget : public vtkFaceToBoneToolWidget
 {
 public:
   static vtkFaceToBoneSculptWidget* New();
-  vtkTypeMacro(vtkFaceToBoneSculptWidget, vtkFaceToBoneToolWidget)
-  void PrintSelf(ostream& os, vtkIndent indent) override;
+  vtkTypeMacro(vtkFaceToBoneSculptWidget,
+               vtkFaceToBoneToolWidget) void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum
   {

@@ -14,6 +14,9 @@
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
 
+#include <algorithm>
+#include <cmath>
+
 vtkFaceToBoneToolRepresentation::vtkFaceToBoneToolRepresentation()
     : Readout(vtkSmartPointer<vtkTextActor>::New())
 {
@@ -111,7 +114,15 @@ void vtkFaceToBoneToolRepresentation::SetReadout(const std::string& text, double
 {
   this->Readout->SetVisibility(!text.empty());
   this->Readout->SetInput(text.c_str());
-  this->Readout->SetPosition(x + 18, y + 14);
+  if (text.empty() || !this->Renderer)
+    return;
+  // beside the cursor, on its other side where the window ends
+  double size[2] = {0, 0};
+  this->Readout->GetSize(this->Renderer, size);
+  const int* window = this->Renderer->GetSize();
+  const double right = x + 18 + size[0] > window[0] ? x - 18 - size[0] : x + 18;
+  const double up = y + 14 + size[1] > window[1] ? y - 14 - size[1] : y + 14;
+  this->Readout->SetPosition(std::max(0.0, right), std::max(0.0, up));
 }
 
 std::string vtkFaceToBoneToolRepresentation::GetReadout() const
@@ -148,7 +159,10 @@ int vtkFaceToBoneToolRepresentation::RenderOpaqueGeometry(vtkViewport* viewport)
   int drawn = 0;
   for (vtkActor* actor : this->Actors)
     if (actor->GetVisibility())
+    {
+      actor->SetPropertyKeys(this->GetPropertyKeys());
       drawn += actor->RenderOpaqueGeometry(viewport);
+    }
   if (this->Readout->GetVisibility())
     drawn += this->Readout->RenderOpaqueGeometry(viewport);
   return drawn;
@@ -159,7 +173,10 @@ int vtkFaceToBoneToolRepresentation::RenderTranslucentPolygonalGeometry(vtkViewp
   int drawn = 0;
   for (vtkActor* actor : this->Actors)
     if (actor->GetVisibility())
+    {
+      actor->SetPropertyKeys(this->GetPropertyKeys()); // tell it that layers are peeled
       drawn += actor->RenderTranslucentPolygonalGeometry(viewport);
+    }
   return drawn;
 }
 

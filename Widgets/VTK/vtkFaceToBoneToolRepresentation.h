@@ -25,8 +25,8 @@ public:
     Point Direction{}; ///< unit
   };
 
-  vtkTypeMacro(vtkFaceToBoneToolRepresentation, vtkWidgetRepresentation)
-  void PrintSelf(ostream& os, vtkIndent indent) override;
+  vtkTypeMacro(vtkFaceToBoneToolRepresentation,
+               vtkWidgetRepresentation) void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /// The line of sight through a pixel. Needs a renderer.
   Ray GetRay(double x, double y);

@@ -14,8 +14,8 @@
 class vtkFaceToBoneToolWidget : public vtkAbstractWidget
 {
 public:
-  vtkTypeMacro(vtkFaceToBoneToolWidget, vtkAbstractWidget)
-  void PrintSelf(ostream& os, vtkIndent indent) override;
+  vtkTypeMacro(vtkFaceToBoneToolWidget,
+               vtkAbstractWidget) void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum
   {
