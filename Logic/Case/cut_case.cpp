@@ -53,6 +53,7 @@ void cut_case(CaseSession& session)
   const BonePartition partition = cut_bone(bone, closed, osteotomies);
 
   CaseChange change(session.folder);
+  write_json(change.file(case_settings_name), session.document);
   std::vector<BoundedPlane> planes;
   json fragments = json::array();
   for (std::size_t f = 0; f < osteotomies.size(); ++f)
