@@ -71,14 +71,16 @@ void vtkFaceToBoneSculptRepresentation::SetSession(std::shared_ptr<f2b::Sculptin
   this->Session = std::move(session);
   this->Shown = shown;
   this->HideBrush();
+  this->ShownRevision = -1;
   this->UpdateShown();
   this->Modified();
 }
 
 void vtkFaceToBoneSculptRepresentation::UpdateShown()
 {
-  if (!this->Session || !this->Shown)
+  if (!this->Session || !this->Shown || this->ShownRevision == this->Session->revision())
     return;
+  this->ShownRevision = this->Session->revision();
   const f2b::SculptedSkin& skin = this->Session->skin();
   if (static_cast<std::size_t>(this->Shown->GetNumberOfPoints()) != skin.size())
   {

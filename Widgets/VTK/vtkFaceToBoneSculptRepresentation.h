@@ -58,6 +58,7 @@ private:
   void ShowAt(const f2b::Brush& brush, const f2b::SurfacePlace& place, double x, double y);
 
   std::shared_ptr<f2b::SculptingSession> Session;
+  long ShownRevision = -1; ///< of the session, that the shown surface is up to
   vtkSmartPointer<vtkPolyData> Shown, Circle, MirrorCircle;
   vtkActor* CircleActor;
   vtkActor* MirrorActor;

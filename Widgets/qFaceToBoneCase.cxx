@@ -1,0 +1,425 @@
+#include "qFaceToBoneCaseDocument.h"
+
+#include <Bridge/grid_file.hpp>
+#include <Bridge/json_file.hpp>
+#include <Bridge/markups.hpp>
+#include <Bridge/vtk_surface.hpp>
+#include <Case/live_plan.hpp>
+#include <Case/verbs.hpp>
+#include <Core/error.hpp>
+#include <Core/sculpting/sculpting_session.hpp>
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFileInfo>
+#include <QLocale>
+#include <QProcess>
+
+#include <vtkFloatArray.h>
+#include <vtkImageData.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+
+namespace
+{
+
+using f2b::CaseSession;
+using f2b::Progress;
+
+/// The part of a longer progress that one verb is.
+Progress partOf(const Progress& whole, double begin, double end)
+{
+  return [whole, begin, end](std::string_view what, double fraction)
+  { whole(what, begin + fraction * (end - begin)); };
+}
+
+vtkSmartPointer<vtkImageData> imageOf(const f2b::ScalarGrid& grid)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(grid.size.x(), grid.size.y(), grid.size.z());
+  image->SetOrigin(grid.origin.x(), grid.origin.y(), grid.origin.z());
+  image->SetSpacing(grid.spacing, grid.spacing, grid.spacing);
+  vtkNew<vtkFloatArray> values;
+  values->SetName("HU");
+  values->SetNumberOfTuples(static_cast<vtkIdType>(grid.values.size()));
+  std::copy(grid.values.begin(), grid.values.end(), values->GetPointer(0));
+  image->GetPointData()->SetScalars(values);
+  return image;
+}
+
+QString thousands(vtkIdType count)
+{
+  return QLocale(QLocale::English).toString(static_cast<qlonglong>(count));
+}
+
+/// The command-line program: beside this one, or where the environment says.
+QString commandLineProgram()
+{
+  const QByteArray told = qgetenv("FACETOBONE_PROGRAM");
+  return told.isEmpty() ? QDir(QCoreApplication::applicationDirPath()).filePath("facetobone")
+                        : QString::fromLocal8Bit(told);
+}
+
+/// In a process of its own: drawing without a screen wants a display that is not the window's.
+void writeReport(const std::string& folder, const Progress& progress)
+{
+  QProcess program;
+  program.start(commandLineProgram(), {"report", QString::fromStdString(folder), "--quiet"});
+  if (!program.waitForStarted())
+    throw f2b::Error(commandLineProgram().toStdString(), "it cannot be started",
+                     "install facetobone beside FaceToBone");
+  double share = 0;
+  while (!program.waitForFinished(200) && program.state() != QProcess::NotRunning)
+  {
+    share += 0.01 * (1 - share);
+    try
+    {
+      progress("drawing the report", share);
+    }
+    catch (...)
+    {
+      program.kill();
+      program.waitForFinished();
+      throw;
+    }
+  }
+  if (program.exitStatus() != QProcess::NormalExit || program.exitCode() != 0)
+    throw std::runtime_error(program.readAllStandardError().trimmed().toStdString());
+}
+
+} // namespace
+
+qFaceToBoneCase::qFaceToBoneCase(QObject* parent)
+    : QObject(parent), m_document(std::make_unique<Document>())
+{
+  connect(&m_task, &qFaceToBoneTask::ended, this, &qFaceToBoneCase::changed);
+  connect(&m_task, &qFaceToBoneTask::started, this, &qFaceToBoneCase::changed);
+  connect(&m_background, &qFaceToBoneTask::ended, this,
+          [this]
+          {
+            if (m_prepareAgain)
+              prepareLive();
+            else if (m_solveAgain)
+              solveInBackground();
+            emit changed();
+          });
+}
+
+qFaceToBoneCase::~qFaceToBoneCase() = default;
+
+bool qFaceToBoneCase::fail(const QString& message)
+{
+  m_error = message;
+  return false;
+}
+
+std::string qFaceToBoneCase::file(const char* name) const
+{
+  return QDir(m_folder).filePath(name).toStdString();
+}
+
+bool qFaceToBoneCase::has(const char* name) const
+{
+  return isOpen() && QFileInfo::exists(QDir(m_folder).filePath(name));
+}
+
+QString qFaceToBoneCase::name() const
+{
+  if (!isOpen())
+    return {};
+  const auto found = m_document->json.find("name");
+  return found == m_document->json.end() ? QFileInfo(m_folder).fileName()
+                                         : QString::fromStdString(found->get<std::string>());
+}
+
+bool qFaceToBoneCase::open(const QString& path)
+{
+  if (m_task.isRunning())
+    return fail(tr("%1 is still going on; cancel it first").arg(m_task.title()));
+  return attempt(
+      [&]
+      {
+        const QFileInfo given(path);
+        if (!given.exists())
+          throw f2b::Error(path.toStdString(), "there is no such file or folder",
+                           "choose a case folder or a case file (JSON)");
+        QFileInfo settings = given;
+        if (given.isDir() || given.suffix() == "mrml")
+          settings = QFileInfo(
+              QDir(given.isDir() ? given.filePath() : given.path()).filePath("case.json"));
+        if (!settings.exists())
+          throw f2b::Error(path.toStdString(), "it is no case: it holds no case.json",
+                           "choose a case folder or a case file (JSON)");
+        const bool begun = QFileInfo::exists(settings.dir().filePath("segment.json"));
+        QString folder = settings.absolutePath();
+        if (!begun)
+          folder = settings.dir().absoluteFilePath(settings.completeBaseName() + "-facetobone");
+        Document document;
+        document.source = settings.absoluteFilePath().toStdString();
+        const QString inside = QDir(folder).filePath("case.json");
+        if (!begun && QFileInfo::exists(inside)) // goes on where it was left
+          document.source = inside.toStdString();
+        document.json = f2b::read_json(document.source);
+        (void)f2b::parse_settings(document.json, document.source);
+        document.json = f2b::with_absolute_paths(document.json, document.source);
+        close();
+        *m_document = std::move(document);
+        m_folder = folder;
+        load(true);
+      });
+}
+
+bool qFaceToBoneCase::openSample(const QString& folder, double meshDensity)
+{
+  const std::string patient = QDir(folder).filePath("patient").toStdString();
+  const auto write = [patient](const Progress& progress)
+  {
+    if (!std::filesystem::exists(patient + "/case.json"))
+      f2b::write_sample(patient, {}, progress);
+  };
+  const auto begin = [this, patient, folder, meshDensity]
+  {
+    close();
+    m_document->source = patient + "/case.json";
+    m_document->json =
+        f2b::with_absolute_paths(f2b::read_json(m_document->source), m_document->source);
+    m_document->json["mesh"]["density"] = meshDensity;
+    m_folder = QDir(folder).filePath("case");
+    if (has("case.json"))
+      m_document->json = f2b::read_json(m_document->source = file("case.json"));
+    load(true);
+  };
+  if (!m_task.start(tr("Making the sample case"), write, begin))
+    return fail(tr("%1 is still going on; cancel it first").arg(m_task.title()));
+  return true;
+}
+
+vtkImageData* qFaceToBoneCase::ct() const
+{
+  return m_ct;
+}
+
+void qFaceToBoneCase::close()
+{
+  saveSculpted();
+  m_background.cancel();
+  m_solveAgain = m_prepareAgain = false;
+  ++m_generation;
+  m_folder.clear();
+  *m_document = {};
+  m_ct = nullptr;
+  m_sculpting.reset();
+  m_live.reset();
+  m_plan.reset();
+  m_fragments.clear();
+  m_notes.clear();
+  m_objects.clear();
+  emit loaded();
+  emit changed();
+}
+
+void qFaceToBoneCase::showSurface(const QString& key, const QString& name, vtkPolyData* surface,
+                                  const QColor& colour, double opacity, bool visible)
+{
+  qFaceToBoneObject object;
+  object.key = key;
+  object.name = name;
+  object.surface = surface;
+  object.colour = colour;
+  object.opacity = opacity;
+  object.visible = visible;
+  m_objects.put(object);
+}
+
+/// Reads what the folder holds.
+void qFaceToBoneCase::load(bool meshIsNew)
+{
+  if (meshIsNew)
+  {
+    ++m_generation;
+    m_live.reset();
+  }
+  m_plan.reset();
+  if (has("case.json"))
+  {
+    m_document->source = file("case.json");
+    m_document->json = f2b::read_json(m_document->source);
+  }
+  m_document->landmarks.clear();
+  if (has("landmarks.mrk.json"))
+    m_document->landmarks = f2b::read_landmarks(file("landmarks.mrk.json"));
+  if (has("ct.nrrd"))
+    m_ct = imageOf(f2b::read_scalar_grid(file("ct.nrrd")));
+  if (has("skin.vtp"))
+  {
+    showSurface("skin", tr("Face before"), f2b::read_surface(file("skin.vtp")), {235, 186, 161}, 1,
+                false);
+    loadSculpting();
+    loadCuts();
+    placeCutPlanes();
+    findRides();
+    loadPlan();
+    if (meshIsNew && has("mesh.vtu") && has("cut.json"))
+      prepareLive();
+  }
+  emit loaded();
+  emit changed();
+}
+
+void qFaceToBoneCase::loadCuts()
+{
+  m_fragments.clear();
+  std::vector<QString> gone;
+  for (const qFaceToBoneObject& o : m_objects.all())
+    if (o.key.startsWith("fragment/"))
+      gone.push_back(o.key);
+  for (const QString& key : gone)
+    m_objects.remove(key);
+  if (!has("cut.json"))
+  {
+    m_objects.remove("uncut");
+    return showSurface("bone", tr("Bone"), f2b::read_surface(file("bone.vtp")), {236, 222, 186});
+  }
+  m_objects.remove("bone");
+  showSurface("uncut", tr("Bone that stays"), f2b::read_surface(file("uncut_bone.vtp")),
+              {236, 222, 186});
+  static const QColor colours[] = {{230, 159, 0}, {86, 180, 233}, {0, 158, 115}, {204, 121, 167}};
+  const nlohmann::json cut = f2b::read_json(file("cut.json"));
+  for (const auto& fragment : cut.at("fragments"))
+  {
+    const auto fragmentName = fragment.at("name").get<std::string>();
+    const QString text = QString::fromStdString(fragmentName);
+    showSurface(
+        "fragment/" + text, text,
+        f2b::read_surface(file(("fragment_" + f2b::file_part(fragmentName) + ".vtp").c_str())),
+        colours[m_fragments.size() % 4]);
+    m_fragments.push_back(text);
+  }
+}
+
+qFaceToBoneCase::StepState qFaceToBoneCase::state(Step step) const
+{
+  StepState s;
+  const bool idle = !m_task.isRunning();
+  const qFaceToBoneObject* skin = m_objects.find("skin");
+  switch (step)
+  {
+  case Ct:
+    s.done = isOpen();
+    s.text = s.done ? QFileInfo(QString::fromStdString(m_document->json.value("ct", std::string())))
+                          .fileName()
+                    : tr("Open a case, or the sample");
+    s.action = tr("Open...");
+    s.possible = idle;
+    return s;
+  case Surfaces:
+    s.done = has("skin.vtp");
+    s.text = !s.done ? tr("Skin and bone not yet found")
+                     : tr("Skin of %1 vertices")
+                           .arg(skin ? thousands(skin->surface->GetNumberOfPoints()) : "?");
+    s.possible = idle && isOpen();
+    s.action = s.done ? tr("Again") : tr("Find");
+    return s;
+  case Cuts:
+    s.done = has("cut.json") && has("mesh.json");
+    s.possible = idle && has("skin.vtp");
+    s.text = s.done ? tr("%1 fragment(s), tissue meshed").arg(m_fragments.size())
+                    : tr("Needs surfaces, then landmarks");
+    if (!s.done && s.possible)
+      s.text = tr("Template %1 is ready to cut").arg(cutTemplate());
+    s.action = s.done ? tr("Again") : tr("Cut");
+    return s;
+  case Target:
+    s.done = has("target.json") && !hasUnsavedChanges();
+    s.possible = idle && has("skin.vtp");
+    s.text = s.done                ? tr("The face to be reached is set")
+             : hasUnsavedChanges() ? tr("Sculpted, not yet kept")
+             : s.possible          ? tr("Sculpt it, or take the case's own")
+                                   : tr("Needs surfaces");
+    s.action = hasUnsavedChanges() ? tr("Keep") : tr("Take");
+    return s;
+  case Plan:
+    s.done = has("plan.json");
+    s.possible = idle && has("mesh.json") && has("target.json");
+    s.text = s.done              ? tr("Movements found")
+             : s.possible        ? tr("Ready to find the movements")
+             : !has("mesh.json") ? tr("Needs cuts")
+                                 : tr("Needs a target");
+    s.action = s.done ? tr("Again") : tr("Plan");
+    return s;
+  case Report:
+    s.done = has("report.html");
+    s.possible = idle && has("plan.json");
+    s.text = s.done ? tr("report.html is written")
+                    : (s.possible ? tr("Ready to be written") : tr("Needs a plan"));
+    s.action = tr("Write");
+    return s;
+  }
+  return s;
+}
+
+/// What runs in the other thread: knows the folder and a copy of the settings, nothing of ours.
+qFaceToBoneTask::Work qFaceToBoneCase::work(Step step) const
+{
+  const std::string folder = m_folder.toStdString(), source = m_document->source;
+  const nlohmann::json document = m_document->json;
+  const auto inUse = m_folderInUse;
+  if (step == Surfaces)
+    return [=](const Progress& progress)
+    {
+      const std::lock_guard<std::mutex> alone(*inUse);
+      CaseSession session(folder, document, source, progress);
+      f2b::segment_case(session);
+    };
+  if (step == Report)
+    return [=](const Progress& progress)
+    {
+      const std::lock_guard<std::mutex> alone(*inUse);
+      writeReport(folder, progress);
+    };
+  return [=](const Progress& progress)
+  {
+    const std::lock_guard<std::mutex> alone(*inUse);
+    CaseSession session = CaseSession::open(folder, progress);
+    session.change_settings(document, source);
+    switch (step)
+    {
+    case Cuts:
+      session.progress = partOf(progress, 0, 0.2);
+      f2b::cut_case(session);
+      session.progress = partOf(progress, 0.2, 1);
+      f2b::mesh_case(session);
+      break;
+    case Target:
+      f2b::target_case(session);
+      break;
+    default:
+      f2b::plan_case(session);
+    }
+  };
+}
+
+bool qFaceToBoneCase::start(Step step)
+{
+  static const char* const titles[] = {
+      "",         "Finding skin and bone", "Cutting and meshing", "Making the target",
+      "Planning", "Writing the report"};
+  if (step == Ct || !state(step).possible)
+    return fail(tr("This step cannot be done yet: %1").arg(state(step).text));
+  if (step == Target && hasUnsavedChanges())
+  {
+    if (!saveSculpted())
+      return false;
+    nlohmann::json& target = m_document->json["target"];
+    const double mask = target.value("mask_mm", 1.0);
+    target = {{"mesh", file(sculptedFileName)}, {"mask_mm", mask}};
+  }
+  if (step == Cuts && !attempt([this] { keepCutPlanes(); }))
+    return false;
+  if (step <= Cuts) // the mesh goes, and what is kept of it in memory
+  {
+    m_background.cancel();
+    m_live.reset();
+  }
+  return m_task.start(tr(titles[step]), work(step), [this, step] { load(step <= Cuts); });
+}

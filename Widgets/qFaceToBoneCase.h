@@ -1,0 +1,204 @@
+#ifndef qFaceToBoneCase_h
+#define qFaceToBoneCase_h
+
+#include "qFaceToBoneObjects.h"
+#include "qFaceToBoneTask.h"
+
+#include <vtkSmartPointer.h>
+
+#include <array>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+class vtkImageData;
+namespace f2b
+{
+class LivePlan;
+class SculptingSession;
+struct BoundedPlane;
+struct FollowedPlan;
+struct SymmetryPlane;
+} // namespace f2b
+
+/// Where does the surgeon's work stand, and what comes next?
+///
+/// One case: its folder, the surfaces shown from it, the face that is being sculpted, and the steps
+/// that have been done. Steps run in the background, one at a time, on the engine of `Logic/Case`;
+/// their results are read back when they end. Everything here belongs to the GUI's thread.
+class qFaceToBoneCase : public QObject
+{
+  Q_OBJECT
+
+public:
+  enum Step
+  {
+    Ct,
+    Surfaces,
+    Cuts,
+    Target,
+    Plan,
+    Report,
+  };
+  static constexpr int StepCount = 6;
+
+  /// How a step stands, for a list of steps.
+  struct StepState
+  {
+    bool done = false;
+    bool possible = false; ///< all that it needs is there
+    QString text;          ///< what is done, or what is missing
+    QString action;        ///< what a button would do; empty: nothing
+  };
+
+  /// The movement of a fragment as people write it.
+  struct Movement
+  {
+    QString fragment;
+    std::array<double, 3> translation{}; ///< right, anterior, superior [mm]
+    std::array<double, 3> rotation{};    ///< pitch, roll, yaw [degrees]
+  };
+
+  /// A measure of the cephalometric analysis.
+  struct Measure
+  {
+    QString name, unit, definition;
+    double before = 0, planned = 0; ///< the same without a plan
+  };
+
+  explicit qFaceToBoneCase(QObject* parent = nullptr);
+  ~qFaceToBoneCase() override;
+
+  qFaceToBoneObjects* objects() { return &m_objects; }
+  qFaceToBoneTask* task() { return &m_task; }             ///< of the steps
+  qFaceToBoneTask* background() { return &m_background; } ///< of live preview and full solve
+
+  bool isOpen() const { return !m_folder.isEmpty(); }
+  QString folder() const { return m_folder; }
+  QString name() const;
+  QString error() const { return m_error; } ///< of the last call that returned false
+
+  /// Opens a case folder, its case.json, or a case file to be worked on in a folder beside it.
+  bool open(const QString& path);
+  /// Makes the virtual patient in a folder and begins its case there, in the background.
+  bool openSample(const QString& folder, double meshDensity);
+  void close();
+
+  StepState state(Step step) const;
+  /// Does a step, in the background. \return false if it cannot be begun (see error()).
+  bool start(Step step);
+
+  /// The CT as segmented, RAS, axes R, A, S; null before the surfaces are there.
+  vtkImageData* ct() const;
+
+  // the cuts
+  QStringList templates() const;
+  QString cutTemplate() const;
+  /// Takes effect with the next cut.
+  void setCutTemplate(const QString& name);
+  double kerf() const;
+  void setKerf(double mm);
+  /// The planes that the saw cuts along: the template's, until they are moved.
+  const std::vector<f2b::BoundedPlane>& cutPlanes() const;
+  std::size_t cutPlaneCount() const;
+  void setCutPlane(std::size_t index, const f2b::BoundedPlane& plane);
+  /// A level plane through a point [mm, RAS].
+  void addCutPlane(const std::array<double, 3>& at);
+  void removeCutPlane(std::size_t index);
+  double meshDensity() const;
+  void setMeshDensity(double density);
+
+  // the face that is sculpted
+  std::shared_ptr<f2b::SculptingSession> sculpting() const { return m_sculpting; }
+  /// To be called after strokes: the preview follows, and with `settled` the full solve.
+  void sculpted(bool settled);
+  bool undo();
+  bool redo();
+  /// Names of the case's landmarks that lie on the face.
+  QStringList faceLandmarks() const;
+  /// Moves the face at a landmark by so much [mm, RAS]; the face within the radius follows smoothly.
+  bool moveLandmark(const QString& name, const std::array<double, 3>& by, double radiusMm);
+  /// Mid-sagittal by the landmarks N, Or_R and Or_L; without them the middle of the skin.
+  f2b::SymmetryPlane symmetryPlane() const;
+  bool importTarget(const QString& path);
+  bool exportTarget(const QString& path);
+  /// Keeps the sculpted face in the case folder, if it has changed.
+  bool saveSculpted();
+  bool hasUnsavedChanges() const;
+
+  // the plan
+  bool isLive() const { return m_live != nullptr; }
+  std::vector<Movement> movements() const;
+  /// Of a fragment, at rest [mm, RAS].
+  std::array<double, 3> referencePoint(const QString& fragment) const;
+  /// How far along the planned movement fragments are shown: 0 at rest, 1 as planned.
+  void setMovementShown(double share);
+  /// Moves a fragment by hand; the face follows when the equilibrium has been solved.
+  void setMovement(const Movement& movement);
+  QStringList planNotes() const { return m_notes; }
+  /// A sentence on where the movements shown come from and what they leave of the target.
+  QString planText() const;
+  /// What the landmarks allow, before and after the planned movement.
+  std::vector<Measure> measures() const;
+  bool followsSculpting() const { return m_following; }
+  void setFollowsSculpting(bool follows);
+
+signals:
+  void changed(); ///< anything of a step, or the case itself
+  void loaded();  ///< another case, or its surfaces
+  void skinChanged();
+  void planChanged();
+  void cutPlanesChanged(); ///< there are others, or a template has placed them anew
+
+private:
+  using Path = std::string;
+
+  bool fail(const QString& message);
+  template <class Action>
+  bool attempt(Action action);
+  void load(bool meshIsNew);
+  void loadSculpting();
+  void loadCuts();
+  void loadPlan();
+  void placeCutPlanes();
+  void keepCutPlanes();
+  void findRides();
+  void prepareLive();
+  void showPlan(const f2b::FollowedPlan& plan);
+  void showFragments();
+  void showSurface(const QString& key, const QString& name, vtkPolyData* surface,
+                   const QColor& colour, double opacity = 1, bool visible = true);
+  void solveInBackground();
+  void predictInBackground();
+  bool has(const char* file) const;
+  Path file(const char* name) const;
+  qFaceToBoneTask::Work work(Step step) const;
+
+  /// What a landmark moves with: a vertex of the skin, or a fragment.
+  struct Ride
+  {
+    std::string landmark;
+    int vertex, fragment; ///< -1: none
+  };
+
+  struct Document; ///< case.json, and where it was read
+  std::unique_ptr<Document> m_document;
+  /// Held by whoever reads or writes the case's folder in another thread.
+  std::shared_ptr<std::mutex> m_folderInUse = std::make_shared<std::mutex>();
+  QString m_folder, m_error;
+  qFaceToBoneObjects m_objects;
+  vtkSmartPointer<vtkImageData> m_ct;
+  std::shared_ptr<f2b::SculptingSession> m_sculpting;
+  long m_savedRevision = 0;
+  std::shared_ptr<f2b::LivePlan> m_live;
+  std::unique_ptr<f2b::FollowedPlan> m_plan;
+  std::vector<QString> m_fragments;
+  std::vector<Ride> m_rides;
+  QStringList m_notes;
+  bool m_following = true, m_solveAgain = false, m_prepareAgain = false;
+  int m_generation = 0; ///< of what is loaded: background results of an older one are dropped
+  double m_shownShare = 1;
+  qFaceToBoneTask m_task, m_background; // last: they end before what they use
+};
+
+#endif

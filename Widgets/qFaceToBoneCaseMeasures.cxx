@@ -1,0 +1,130 @@
+#include "qFaceToBoneCaseDocument.h"
+
+#include <Bridge/vtk_surface.hpp>
+#include <Case/live_plan.hpp>
+#include <Core/error.hpp>
+#include <Core/geometry/cephalometry.hpp>
+#include <Core/sculpting/sculpting_session.hpp>
+
+#include <vtkPolyData.h>
+
+#include <algorithm>
+
+namespace
+{
+
+/// The landmarks of a list that allow it, with f2b::Error answered by none.
+std::vector<f2b::CephalometricMeasure> measuresOf(const f2b::Landmarks& landmarks,
+                                                  const f2b::MidSagittalPlane& plane)
+{
+  try
+  {
+    return f2b::cephalometry(landmarks, plane);
+  }
+  catch (const f2b::Error&)
+  {
+    return {};
+  }
+}
+
+std::size_t nearestVertex(const std::vector<f2b::Vec3>& points, const f2b::Vec3& p)
+{
+  std::size_t nearest = 0;
+  for (std::size_t v = 1; v < points.size(); ++v)
+    if ((points[v] - p).squaredNorm() < (points[nearest] - p).squaredNorm())
+      nearest = v;
+  return nearest;
+}
+
+double distanceTo(vtkPolyData* surface, const f2b::Vec3& p)
+{
+  double nearest = std::numeric_limits<double>::infinity();
+  for (vtkIdType v = 0; v < surface->GetNumberOfPoints(); ++v)
+    nearest = std::min(nearest, (f2b::Vec3(surface->GetPoint(v)) - p).norm());
+  return nearest;
+}
+
+} // namespace
+
+/// What each landmark rides on: the skin, a fragment, or bone that stays.
+void qFaceToBoneCase::findRides()
+{
+  m_rides.clear();
+  const f2b::Landmarks& rest = m_document->landmarks;
+  for (const f2b::LandmarkDefinition& definition : f2b::landmark_definitions())
+  {
+    const auto found = rest.find(definition.name);
+    if (found == rest.end())
+      continue;
+    Ride ride{definition.name, -1, -1};
+    if (definition.soft_tissue && m_sculpting)
+      ride.vertex = static_cast<int>(nearestVertex(m_sculpting->skin().rest(), found->second));
+    else if (!definition.soft_tissue)
+    {
+      f2b::Vec3 at = found->second;
+      const auto& teeth = f2b::tooth_landmarks();
+      if (std::find(teeth.begin(), teeth.end(), definition.name) != teeth.end())
+        at = f2b::bone_of_tooth(rest, definition.name);
+      const qFaceToBoneObject* stays = m_objects.find("uncut");
+      double nearest = stays ? distanceTo(stays->surface, at) : 0;
+      for (std::size_t f = 0; f < m_fragments.size(); ++f)
+        if (const qFaceToBoneObject* piece = m_objects.find("fragment/" + m_fragments[f]))
+          if (const double away = distanceTo(piece->surface, at); away < nearest)
+          {
+            nearest = away;
+            ride.fragment = static_cast<int>(f);
+          }
+    }
+    m_rides.push_back(ride);
+  }
+}
+
+std::vector<qFaceToBoneCase::Measure> qFaceToBoneCase::measures() const
+{
+  std::vector<Measure> all;
+  const f2b::Landmarks& rest = m_document->landmarks;
+  f2b::MidSagittalPlane plane;
+  try
+  {
+    plane = f2b::mid_sagittal_plane(rest);
+  }
+  catch (const f2b::Error&) // without N, Or_R or Or_L there is no side to look from
+  {
+    return all;
+  }
+  f2b::Landmarks moved = rest;
+  for (const Ride& ride : m_rides)
+    if (m_plan && ride.vertex >= 0)
+      moved[ride.landmark] += m_plan->skin_displacement[static_cast<std::size_t>(ride.vertex)];
+    else if (m_plan && ride.fragment >= 0)
+      moved[ride.landmark] =
+          m_plan->motions.at(static_cast<std::size_t>(ride.fragment)).apply(moved[ride.landmark]);
+  const auto before = measuresOf(rest, plane), after = measuresOf(moved, plane);
+  for (const f2b::CephalometricMeasure& m : before)
+  {
+    Measure measure{QString::fromStdString(m.name), QString::fromStdString(m.unit),
+                    QString::fromStdString(m.definition), m.value, m.value};
+    for (const f2b::CephalometricMeasure& planned : after)
+      if (planned.name == m.name)
+        measure.planned = planned.value;
+    all.push_back(measure);
+  }
+  return all;
+}
+
+f2b::SymmetryPlane qFaceToBoneCase::symmetryPlane() const
+{
+  f2b::SymmetryPlane symmetry;
+  try
+  {
+    const f2b::MidSagittalPlane plane = f2b::mid_sagittal_plane(m_document->landmarks);
+    symmetry.point = plane.point;
+    symmetry.normal = plane.normal;
+  }
+  catch (const f2b::Error&)
+  {
+    if (const qFaceToBoneObject* skin = m_objects.find("skin"))
+      skin->surface->GetCenter(symmetry.point.data());
+  }
+  return symmetry;
+}

@@ -1,0 +1,60 @@
+#ifndef qFaceToBoneSculptPanel_h
+#define qFaceToBoneSculptPanel_h
+
+#include <QWidget>
+
+#include <memory>
+
+class QButtonGroup;
+class QCheckBox;
+class QComboBox;
+class QDoubleSpinBox;
+class QLabel;
+class QSlider;
+class qFaceToBoneCase;
+namespace f2b
+{
+struct Brush;
+} // namespace f2b
+
+/// With what, how large and how strongly is the face sculpted?
+///
+/// Brushes and their settings, moving a landmark by numbers, the mask, the target's files.
+class qFaceToBoneSculptPanel : public QWidget
+{
+  Q_OBJECT
+
+public:
+  qFaceToBoneSculptPanel(qFaceToBoneCase* work, QWidget* parent = nullptr);
+  ~qFaceToBoneSculptPanel() override;
+
+  const f2b::Brush& brush() const { return *m_brush; }
+  /// Shows a brush that was changed in the 3D view.
+  void setBrush(const f2b::Brush& brush);
+  bool isSculpting() const;
+
+signals:
+  void brushChanged();
+  void sculptingChanged(bool on);
+
+private:
+  QWidget* makeBrushes();
+  QWidget* makeSettings();
+  QWidget* makeLandmarkMove();
+  QWidget* makeMaskAndFiles();
+  void readControls();
+  void moveLandmark();
+  void updateLandmarks();
+
+  qFaceToBoneCase* m_case;
+  std::unique_ptr<f2b::Brush> m_brush;
+  bool m_updating = false;
+  QButtonGroup* m_kinds;
+  QDoubleSpinBox *m_radius, *m_strength, *m_depth;
+  QComboBox* m_curve;
+  QCheckBox *m_symmetric, *m_frontOnly, *m_depthLimited;
+  QComboBox* m_landmark;
+  QDoubleSpinBox *m_move[3], *m_moveRadius;
+};
+
+#endif
