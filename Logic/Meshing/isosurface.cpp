@@ -1,6 +1,7 @@
 #include "Meshing/isosurface.hpp"
 
 #include "Meshing/edge_collapse.hpp"
+#include "Meshing/self_crossings.hpp"
 
 #include <vtkCellArray.h>
 #include <vtkCleanPolyData.h>
@@ -32,7 +33,11 @@ float beyond_wall(float inside)
   return 19.0F * std::abs(inside) + 1.0F;
 }
 
-/// The grid minus the level, with one layer of outside around it.
+/// The level minus the grid, with one layer of outside around it.
+///
+/// Where four samples of a face are inside and outside crosswise the tables of marching cubes part
+/// those above the level. With the inside above, bone that meets at an edge of the lattice alone
+/// stays apart, as it does when the bone is flooded through face neighbours.
 vtkSmartPointer<vtkImageData> padded_image(const ScalarGrid& grid, double level)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
@@ -54,7 +59,7 @@ vtkSmartPointer<vtkImageData> padded_image(const ScalarGrid& grid, double level)
         if (std::abs(v) < 1e-3F)
           v = v < 0 ? -1e-3F : 1e-3F;
         const bool pad = gi != i - 1 || gj != j - 1 || gk != k - 1;
-        *out = pad ? beyond_wall(v) : v;
+        *out = -(pad ? beyond_wall(v) : v);
       }
   return image;
 }
@@ -81,20 +86,6 @@ Surface largest_piece(vtkPolyData* surface)
   clean->PointMergingOff();
   clean->Update();
   return clean->GetOutput();
-}
-
-Surface smoothed(vtkPolyData* surface, const SurfaceOptions& options)
-{
-  vtkNew<vtkWindowedSincPolyDataFilter> filter;
-  filter->SetInputData(surface);
-  filter->SetNumberOfIterations(options.smoothing_iterations);
-  filter->SetPassBand(options.smoothing_pass_band);
-  filter->BoundarySmoothingOff();
-  filter->FeatureEdgeSmoothingOff();
-  filter->NonManifoldSmoothingOn();
-  filter->NormalizeCoordinatesOn();
-  filter->Update();
-  return filter->GetOutput();
 }
 
 TriangleMesh mesh_of(vtkPolyData* surface)
@@ -131,6 +122,23 @@ Surface surface_of(const TriangleMesh& mesh)
   return surface;
 }
 
+Surface smoothed(vtkPolyData* surface, const SurfaceOptions& options)
+{
+  vtkNew<vtkWindowedSincPolyDataFilter> filter;
+  filter->SetInputData(surface);
+  filter->SetNumberOfIterations(options.smoothing_iterations);
+  filter->SetPassBand(options.smoothing_pass_band);
+  filter->BoundarySmoothingOff();
+  filter->FeatureEdgeSmoothingOff();
+  filter->NonManifoldSmoothingOn();
+  filter->NormalizeCoordinatesOn();
+  filter->Update();
+  // thin walls may be smoothed through one another: there the surface stays as it was sampled
+  TriangleMesh mesh = mesh_of(filter->GetOutput());
+  yield_crossings(mesh, mesh_of(surface).points);
+  return surface_of(mesh);
+}
+
 Surface decimated(vtkPolyData* surface, double target_edge)
 {
   const double area = check_surface(surface).area_mm2;
@@ -151,6 +159,8 @@ Surface facing_outwards(vtkPolyData* surface)
   return reverse->GetOutput();
 }
 
+} // namespace
+
 Surface with_normals(vtkPolyData* surface)
 {
   vtkNew<vtkPolyDataNormals> normals;
@@ -161,8 +171,6 @@ Surface with_normals(vtkPolyData* surface)
   normals->Update();
   return normals->GetOutput();
 }
-
-} // namespace
 
 Surface watertight_isosurface(const ScalarGrid& grid, double level, const SurfaceOptions& options)
 {

@@ -26,6 +26,9 @@ struct SurfaceOptions
 vtkSmartPointer<vtkPolyData> watertight_isosurface(const ScalarGrid& grid, double level = 0.0,
                                                    const SurfaceOptions& options = {});
 
+/// The same surface with point normals.
+vtkSmartPointer<vtkPolyData> with_normals(vtkPolyData* surface);
+
 struct SurfaceCheck
 {
   std::size_t open_edges = 0;         ///< of one triangle

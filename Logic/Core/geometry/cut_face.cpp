@@ -1,5 +1,7 @@
 #include "Core/geometry/cut_face.hpp"
 
+#include "Core/geometry/saw_blade.hpp"
+
 #include <cmath>
 #include <limits>
 
@@ -8,26 +10,13 @@ namespace f2b
 namespace
 {
 
-/// The plane that passes between two neighbouring samples.
-struct Separation
+/// The first facet that passes between two neighbouring samples, and where; or null.
+const SawFacet* between(const std::vector<SawFacet>& facets, const Vec3& p, const Vec3& q, Vec3& at)
 {
-  const BoundedPlane* plane = nullptr;
-  double kerf_mm = 0;
-  Vec3 at = Vec3::Zero();
-};
-
-Separation between(const std::vector<Osteotomy>& osteotomies, const Vec3& p, const Vec3& q)
-{
-  Separation found;
-  for (const Osteotomy& osteotomy : osteotomies)
-    for (const BoundedPlane& plane : osteotomy.planes)
-      if (plane.separates(p, q, found.at))
-      {
-        found.plane = &plane;
-        found.kerf_mm = osteotomy.kerf_mm;
-        return found;
-      }
-  return found;
+  for (const SawFacet& facet : facets)
+    if (facet.plane.separates(p, q, at))
+      return &facet;
+  return nullptr;
 }
 
 bool is_part(unsigned char label)
@@ -42,6 +31,7 @@ std::vector<CutPoint> collect(const CutBone& cut, unsigned char part, Belongs ot
   std::vector<CutPoint> points;
   const LabelGrid& parts = cut.parts;
   const double facet_mm2 = parts.spacing * parts.spacing;
+  const std::vector<SawFacet> facets = saw_facets(cut.osteotomies);
   const Eigen::Vector3i n = parts.size;
   auto visit = [&](const Eigen::Vector3i& v, int axis, int step)
   {
@@ -53,13 +43,14 @@ std::vector<CutPoint> collect(const CutBone& cut, unsigned char part, Belongs ot
     if (!other_belongs(parts.values[next]) || cut.bone.values[next] >= 0)
       return;
     const Vec3 p = parts.position(v.x(), v.y(), v.z());
-    const Separation s = between(cut.osteotomies, p, parts.position(w.x(), w.y(), w.z()));
-    if (!s.plane)
+    Vec3 at;
+    const SawFacet* saw = between(facets, p, parts.position(w.x(), w.y(), w.z()), at);
+    if (!saw)
       return;
-    const Vec3 normal = s.plane->normal();
+    const Vec3 normal = saw->plane.normal();
     // the facets between samples are a staircase: each counts with its projection on the plane
-    points.push_back({s.at, s.plane->signed_distance(p) >= 0 ? normal : Vec3(-normal),
-                      facet_mm2 * std::abs(normal[axis]), s.kerf_mm});
+    points.push_back({at, saw->plane.signed_distance(p) >= 0 ? normal : Vec3(-normal),
+                      facet_mm2 * std::abs(normal[axis]), saw->kerf_mm});
   };
   for (int k = 0; k < n.z(); ++k)
     for (int j = 0; j < n.y(); ++j)

@@ -1,12 +1,14 @@
 #include "Core/geometry/osteotomy.hpp"
 
+#include "Core/geometry/lattice_cuts.hpp"
+#include "Core/geometry/saw_blade.hpp"
+
 #include "Core/error.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <limits>
-#include <map>
 
 namespace f2b
 {
@@ -34,16 +36,13 @@ constexpr Label undecided = 255;
 /// Connected bone smaller than this is an island: noise, or thin walls that the threshold broke.
 constexpr double island_mm3 = 1500;
 
-/// Floods the bone voxel by voxel, stopped by the planes.
+/// Floods the bone voxel by voxel, stopped by the cuts.
 class Flood
 {
 public:
   Flood(const ScalarGrid& bone, const ScalarGrid& closed_bone, const std::vector<Osteotomy>& cuts)
-      : m_bone(bone), m_closed(closed_bone), m_osteotomies(cuts)
+      : m_bone(bone), m_closed(closed_bone), m_osteotomies(cuts), m_cuts(bone, cuts)
   {
-    for (const Osteotomy& osteotomy : cuts)
-      for (const BoundedPlane& plane : osteotomy.planes)
-        m_planes.push_back(&plane);
   }
 
   BonePartition run();
@@ -63,17 +62,17 @@ private:
   }
   template <class Visit>
   void for_each_neighbor(std::size_t voxel, Visit visit) const;
-  const BoundedPlane* blocking(const Vec3& p, const Vec3& q, Vec3& at) const;
   void find_components();
   int component_at(const Osteotomy& osteotomy) const;
   void name_components();
   void spread();
   void collect_cuts();
+  void require_freed() const;
 
   const ScalarGrid& m_bone;
   const ScalarGrid& m_closed;
   const std::vector<Osteotomy>& m_osteotomies;
-  std::vector<const BoundedPlane*> m_planes;
+  LatticeCuts m_cuts;
   std::vector<int> m_component;     ///< per voxel: connected actual bone, or -1
   std::vector<std::size_t> m_sizes; ///< voxels per component
   std::vector<Label> m_label;       ///< per voxel
@@ -87,33 +86,25 @@ void Flood::for_each_neighbor(std::size_t voxel, Visit visit) const
              ny = static_cast<std::size_t>(m_bone.size.y()),
              nz = static_cast<std::size_t>(m_bone.size.z());
   const std::size_t i = voxel % nx, j = voxel / nx % ny, k = voxel / (nx * ny);
+  // visit(neighbour, does a cut pass between them)
   if (i > 0)
-    visit(voxel - 1);
+    visit(voxel - 1, m_cuts.between(voxel - 1, 0));
   if (i + 1 < nx)
-    visit(voxel + 1);
+    visit(voxel + 1, m_cuts.between(voxel, 0));
   if (j > 0)
-    visit(voxel - nx);
+    visit(voxel - nx, m_cuts.between(voxel - nx, 1));
   if (j + 1 < ny)
-    visit(voxel + nx);
+    visit(voxel + nx, m_cuts.between(voxel, 1));
   if (k > 0)
-    visit(voxel - nx * ny);
+    visit(voxel - nx * ny, m_cuts.between(voxel - nx * ny, 2));
   if (k + 1 < nz)
-    visit(voxel + nx * ny);
-}
-
-const BoundedPlane* Flood::blocking(const Vec3& p, const Vec3& q, Vec3& at) const
-{
-  for (const BoundedPlane* plane : m_planes)
-    if (plane->separates(p, q, at))
-      return plane;
-  return nullptr;
+    visit(voxel + nx * ny, m_cuts.between(voxel, 2));
 }
 
 void Flood::find_components()
 {
   m_component.assign(m_bone.values.size(), -1);
   std::vector<std::size_t> front;
-  Vec3 at;
   for (std::size_t start = 0; start < m_component.size(); ++start)
   {
     if (!is_bone(start) || m_component[start] >= 0)
@@ -127,12 +118,10 @@ void Flood::find_components()
       const std::size_t voxel = front.back();
       front.pop_back();
       ++m_sizes.back();
-      const Vec3 p = position(voxel);
       for_each_neighbor(voxel,
-                        [&](std::size_t next)
+                        [&](std::size_t next, bool cut)
                         {
-                          if (!is_bone(next) || m_component[next] >= 0 ||
-                              blocking(p, position(next), at))
+                          if (cut || !is_bone(next) || m_component[next] >= 0)
                             return;
                           m_component[next] = id;
                           front.push_back(next);
@@ -199,7 +188,6 @@ void Flood::name_components()
 /// way exists.
 void Flood::spread()
 {
-  Vec3 at;
   for (const bool through_cuts : {false, true})
   {
     std::vector<std::size_t> front;
@@ -210,18 +198,14 @@ void Flood::spread()
     {
       std::vector<std::size_t> next_front;
       for (const std::size_t voxel : front)
-      {
-        const Vec3 p = position(voxel);
         for_each_neighbor(voxel,
-                          [&](std::size_t next)
+                          [&](std::size_t next, bool cut)
                           {
-                            if (m_label[next] != undecided ||
-                                (!through_cuts && blocking(p, position(next), at)))
+                            if (m_label[next] != undecided || (cut && !through_cuts))
                               return;
                             m_label[next] = m_label[voxel];
                             next_front.push_back(next);
                           });
-      }
       front = std::move(next_front);
     }
   }
@@ -230,62 +214,71 @@ void Flood::spread()
       label = BonePartition::uncut;
 }
 
-/// Checks every plane against the bone on its two sides, and keeps the points of the cut faces.
+/// Keeps the points of the cut faces.
 void Flood::collect_cuts()
+{
+  m_result.cut_points.resize(m_osteotomies.size());
+  const std::size_t step[3] = {1, static_cast<std::size_t>(m_bone.size.x()),
+                               static_cast<std::size_t>(m_bone.size.x()) *
+                                   static_cast<std::size_t>(m_bone.size.y())};
+  for (std::size_t voxel = 0; voxel < m_label.size(); ++voxel)
+  {
+    if (m_label[voxel] == BonePartition::no_bone)
+      continue;
+    for_each_neighbor(
+        voxel,
+        [&](std::size_t next, bool cut)
+        {
+          if (next < voxel || m_label[next] == BonePartition::no_bone ||
+              m_label[next] == m_label[voxel])
+            return;
+          const int axis = next - voxel == step[0] ? 0 : next - voxel == step[1] ? 1 : 2;
+          const Vec3 at =
+              cut ? m_cuts.passage(voxel, axis).at : Vec3(0.5 * (position(voxel) + position(next)));
+          for (const Label label : {m_label[voxel], m_label[next]})
+            if (label >= BonePartition::first_fragment)
+              m_result.cut_points[label - BonePartition::first_fragment].push_back(at);
+        });
+  }
+}
+
+/// Every cut passes through bone, and has the same fragment on both sides hardly anywhere.
+void Flood::require_freed() const
 {
   struct Sides
   {
     std::size_t hits = 0, through_fragment = 0;
   };
-  std::map<const BoundedPlane*, Sides> sides;
-  m_result.cut_points.resize(m_osteotomies.size());
-  Vec3 at;
-  for (std::size_t voxel = 0; voxel < m_label.size(); ++voxel)
+  std::vector<Sides> sides(m_cuts.cuts().size());
+  const std::size_t nx = static_cast<std::size_t>(m_bone.size.x()),
+                    step[3] = {1, nx, nx * static_cast<std::size_t>(m_bone.size.y())};
+  // cuts of two osteotomies may lie in one another, as between the jaws: each counts
+  for (const LatticeCuts::Passage& p : m_cuts.passages())
   {
-    if (m_label[voxel] == BonePartition::no_bone)
+    const std::size_t next = p.sample + step[p.axis];
+    if (!is_bone(p.sample) || !is_bone(next))
       continue;
-    const Vec3 p = position(voxel);
-    for_each_neighbor(voxel,
-                      [&](std::size_t next)
-                      {
-                        if (next < voxel || m_label[next] == BonePartition::no_bone)
-                          return;
-                        const Label a = m_label[voxel], b = m_label[next];
-                        // planes of two osteotomies may lie in one another, as between the jaws
-                        if (is_bone(voxel) && is_bone(next))
-                          for (const BoundedPlane* plane : m_planes)
-                            if (plane->separates(p, position(next), at))
-                            {
-                              ++sides[plane].hits;
-                              sides[plane].through_fragment +=
-                                  a == b && a >= BonePartition::first_fragment;
-                            }
-                        if (a == b)
-                          return;
-                        const BoundedPlane* plane = blocking(p, position(next), at);
-                        for (const Label label : {a, b})
-                          if (label >= BonePartition::first_fragment)
-                            m_result.cut_points[label - BonePartition::first_fragment].push_back(
-                                plane ? at : Vec3(0.5 * (p + position(next))));
-                      });
+    ++sides[p.cut].hits;
+    sides[p.cut].through_fragment +=
+        m_label[p.sample] == m_label[next] && m_label[p.sample] >= BonePartition::first_fragment;
   }
-  for (const Osteotomy& osteotomy : m_osteotomies)
-    for (const BoundedPlane& plane : osteotomy.planes)
-    {
-      const Sides& s = sides[&plane];
-      const std::string who = "osteotomy '" + osteotomy.fragment + "', plane '" + plane.name + "'";
-      if (s.hits == 0)
-        throw Error(who, "it misses the bone",
-                    "move or enlarge the plane until it crosses the bone");
-      char share[32];
-      std::snprintf(share, sizeof share, "%.0f",
-                    100.0 * static_cast<double>(s.through_fragment) / static_cast<double>(s.hits));
-      if (static_cast<double>(s.through_fragment) > 0.3 * static_cast<double>(s.hits))
-        throw Error(who,
-                    "the cuts do not free the fragment: " + std::string(share) +
-                        " % of this plane has the same fragment on both sides",
-                    "enlarge the planes or add one until they part the fragment from the skull");
-    }
+  for (std::size_t c = 0; c < sides.size(); ++c)
+  {
+    const Sides& s = sides[c];
+    const std::string& who = m_cuts.cuts()[c].who;
+    if (s.hits == 0 && m_cuts.cuts()[c].may_miss)
+      continue;
+    if (s.hits == 0)
+      throw Error(who, "it misses the bone", "move or enlarge it until it crosses the bone");
+    char share[32];
+    std::snprintf(share, sizeof share, "%.0f",
+                  100.0 * static_cast<double>(s.through_fragment) / static_cast<double>(s.hits));
+    if (static_cast<double>(s.through_fragment) > 0.3 * static_cast<double>(s.hits))
+      throw Error(who,
+                  "the cuts do not free the fragment: " + std::string(share) +
+                      " % of this one has the same fragment on both sides",
+                  "enlarge the cuts or add one until they part the fragment from the skull");
+  }
 }
 
 BonePartition Flood::run()
@@ -294,6 +287,7 @@ BonePartition Flood::run()
   find_components();
   name_components();
   spread();
+  require_freed();
   collect_cuts();
   m_result.labels = {m_bone.origin, m_bone.spacing, m_bone.size, std::move(m_label)};
   m_result.fragment_volume_mm3.assign(m_osteotomies.size(), 0);
@@ -348,16 +342,15 @@ struct NearestSaw
   double half_kerf = 0;
 };
 
-NearestSaw nearest_saw(const Vec3& p, double margin_mm, const BonePartition& partition)
+NearestSaw nearest_saw(const Vec3& p, double margin_mm, const std::vector<SawFacet>& facets)
 {
   NearestSaw saw;
-  for (const Osteotomy& osteotomy : partition.osteotomies)
-    for (const BoundedPlane& plane : osteotomy.planes)
-    {
-      const double distance = std::abs(plane.signed_distance(p));
-      if (distance < saw.distance && plane.faces(p, margin_mm))
-        saw = {distance, 0.5 * osteotomy.kerf_mm};
-    }
+  for (const SawFacet& facet : facets)
+  {
+    const double distance = std::abs(facet.plane.signed_distance(p));
+    if (distance < saw.distance && facet.plane.faces(p, margin_mm))
+      saw = {distance, 0.5 * facet.kerf_mm};
+  }
   return saw;
 }
 
@@ -367,6 +360,7 @@ ScalarGrid part_field(const ScalarGrid& bone, const BonePartition& partition, un
 {
   ScalarGrid field = bone;
   const std::vector<char> near = near_cut_faces(bone, partition);
+  const std::vector<SawFacet> facets = saw_facets(partition.osteotomies);
   std::size_t voxel = 0;
   for (int k = 0; k < bone.size.z(); ++k)
     for (int j = 0; j < bone.size.y(); ++j)
@@ -380,7 +374,7 @@ ScalarGrid part_field(const ScalarGrid& bone, const BonePartition& partition, un
             field.values[voxel] = std::max(bone.values[voxel], static_cast<float>(bone.spacing));
           continue;
         }
-        const NearestSaw saw = nearest_saw(bone.position(i, j, k), 0.5 * bone.spacing, partition);
+        const NearestSaw saw = nearest_saw(bone.position(i, j, k), 0.5 * bone.spacing, facets);
         const double beyond =
             saw.distance < 2 * bone.spacing ? saw.half_kerf + saw.distance : 0.5 * bone.spacing;
         const double cut = other ? beyond : saw.half_kerf - saw.distance;

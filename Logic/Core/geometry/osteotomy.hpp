@@ -1,6 +1,7 @@
 #pragma once
 
 #include "Core/geometry/scalar_grid.hpp"
+#include "Core/geometry/swept_curve.hpp"
 
 #include <string>
 
@@ -15,6 +16,7 @@ struct BoundedPlane
   Vec3 center = Vec3::Zero();
   Vec3 u = Vec3::UnitX(), v = Vec3::UnitY(); ///< in-plane axes; the normal is u x v
   double half_u = 50, half_v = 50;           ///< half lengths [mm]
+  bool may_miss = false; ///< no error where it meets no bone, as between teeth that do not touch
 
   Vec3 normal() const { return u.cross(v); }
   double signed_distance(const Vec3& p) const { return normal().dot(p - center); }
@@ -24,13 +26,14 @@ struct BoundedPlane
   bool separates(const Vec3& p, const Vec3& q, Vec3& at) const;
 };
 
-/// One operation: the planes that it cuts along and the fragment that it frees.
+/// One operation: the planes and curves that it cuts along and the fragment that it frees.
 struct Osteotomy
 {
   std::string fragment; ///< name of the freed fragment
   std::vector<BoundedPlane> planes;
   Vec3 fragment_point = Vec3::Zero(); ///< a point on or near the bone that is to be free
   double kerf_mm = 1.0;               ///< width of bone that the saw takes away
+  std::vector<SweptCurve> curves = {};
 };
 
 /// The bone after the cuts, on the lattice of its distance maps.
@@ -44,13 +47,13 @@ struct BonePartition
   std::vector<double> fragment_volume_mm3;   ///< of actual bone
 };
 
-/// Cuts the bone along all planes at once and names the freed fragments.
+/// Cuts the bone along all planes and curves at once and names the freed fragments.
 ///
-/// Bone is connected through face neighbours of the lattice unless a plane passes between them.
+/// Bone is connected through face neighbours of the lattice unless a cut passes between them.
 /// Cavities of the closed bone, and islands of bone, go with the nearest connected bone.
 /// \param bone         signed distance of the actual bone, negative inside
 /// \param closed_bone  the same with cavities closed; contains `bone`
-/// Throws Error where a plane misses the bone, where a fragment point is far from bone, where cuts
+/// Throws Error where a plane or curve misses the bone, where a fragment point is far from bone, where cuts
 /// do not free their fragment, or where two fragments are one piece.
 BonePartition cut_bone(const ScalarGrid& bone, const ScalarGrid& closed_bone,
                        const std::vector<Osteotomy>& osteotomies);

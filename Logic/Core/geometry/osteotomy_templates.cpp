@@ -3,6 +3,7 @@
 #include "Core/error.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 
 namespace f2b
@@ -28,6 +29,8 @@ public:
                   "add it to the case's landmark file");
     return found->second;
   }
+
+  Vec3 outwards(const std::string& side) const { return side == "R" ? right : Vec3(-right); }
 
 private:
   std::string m_template;
@@ -118,6 +121,87 @@ Osteotomy le_fort_1(const Face& face)
   return osteotomy;
 }
 
+/// The line from inside the orbit over its lower rim to under the zygoma's buttress, and out.
+/// \param rim  where it crosses the rim
+std::vector<Vec3> down_the_cheek(const Face& face, const std::string& side, const Vec3& rim)
+{
+  const Vec3 up = face.right.cross(palate_forward(face));
+  const Vec3 outwards = face.outwards(side);
+  const Vec3 buttress = face.at("U6_" + side) + 12 * outwards + 14 * up;
+  return {rim + 8 * up, rim, buttress, buttress + 14 * outwards - 8 * up};
+}
+
+/// A line seen from in front, sawn straight backwards; all its points as far in front as the first
+/// landmark of `from`.
+SweptCurve sawn_backwards(const std::string& name, const Vec3& forward, std::vector<Vec3> points,
+                          const Vec3& from, const Vec3& to)
+{
+  for (Vec3& p : points)
+    p += forward * forward.dot(from - p);
+  SweptCurve curve;
+  curve.name = name;
+  curve.points = std::move(points);
+  curve.direction = -forward;
+  curve.depth_mm = forward.dot(from - to);
+  curve.lead_mm = 30;
+  return curve;
+}
+
+/// The pyramid: root of the nose, medial walls of the orbits, lower rims, buttresses.
+Osteotomy le_fort_2(const Face& face)
+{
+  Osteotomy osteotomy;
+  const Vec3 forward = palate_forward(face);
+  const Vec3 up = face.right.cross(forward);
+  const Vec3 back = face.at("PNS") - 4 * forward + 18 * up;
+  const Vec3 down_the_orbit = across(back - face.at("N"), face.right);
+  const Vec3 front = face.at("N") - up - 25 * down_the_orbit;
+  osteotomy.fragment = "nose and maxilla";
+  osteotomy.planes.push_back(plane_between("nose and maxilla upper", face.right, front,
+                                           back + 3 * down_the_orbit,
+                                           (face.at("Or_R") - face.at("Or_L")).norm() + 4));
+  for (const char* side : {"R", "L"})
+  {
+    const Vec3 rim = face.at(std::string("Or_") + side) - 2 * face.outwards(side);
+    osteotomy.curves.push_back(sawn_backwards(
+        std::string("nose and maxilla cheek ") + side, forward, down_the_cheek(face, side, rim),
+        face.at(std::string("Or_") + side), back - 3 * forward));
+  }
+  part_maxilla_from_below(face, forward, back, maxilla_width(face) + 10, osteotomy);
+  osteotomy.fragment_point = face.at("ANS") - 5 * forward - 3 * up;
+  return osteotomy;
+}
+
+/// The lateral rim of the orbit, its floor, the buttress, and the arch behind them.
+Osteotomy zygoma(const Face& face, const std::string& side)
+{
+  Osteotomy osteotomy;
+  const Vec3 forward = palate_forward(face);
+  const Vec3 up = face.right.cross(forward);
+  const Vec3 outwards = face.outwards(side);
+  const Vec3 &rim = face.at("Or_" + side), &arch = face.at("Zy_" + side);
+  // the frontozygomatic suture is a little below the height of the nasion
+  const Vec3 suture = rim + 0.7 * up.dot(face.at("N") - rim) * up + 2 * outwards;
+  const Vec3 behind = rim + 0.6 * forward.dot(arch - rim) * forward;
+  osteotomy.fragment = side == "R" ? "zygoma right" : "zygoma left";
+  std::vector<Vec3> line = {suture + (outwards.dot(arch - suture) + 15) * outwards, suture};
+  const std::vector<Vec3> cheek = down_the_cheek(face, side, rim);
+  line.insert(line.end(), cheek.begin() + 1, cheek.end());
+  osteotomy.curves.push_back(
+      sawn_backwards(osteotomy.fragment + " rim", forward, line, rim, behind - 2 * forward));
+  BoundedPlane back;
+  back.name = osteotomy.fragment + " arch";
+  back.u = outwards;
+  back.v = up;
+  const double width = outwards.dot(arch - rim) + 20, top = up.dot(suture - rim) + 2, bottom = -45;
+  back.center = behind + (0.5 * width - 4) * outwards + 0.5 * (top + bottom) * up;
+  back.half_u = 0.5 * width;
+  back.half_v = 0.5 * (top - bottom);
+  osteotomy.planes.push_back(back);
+  osteotomy.fragment_point = rim + 0.35 * (arch - rim);
+  return osteotomy;
+}
+
 Osteotomy le_fort_3(const Face& face)
 {
   Osteotomy osteotomy;
@@ -166,7 +250,7 @@ BoundedPlane behind_molars(const Face& face, const std::string& side, const Bite
   plane.u = up;
   plane.v = across(body, up).cross(up);
   // the body bulges outwards from the line between menton and gonion
-  const Vec3 outwards = side == "R" ? face.right : Vec3(-face.right);
+  const Vec3 outwards = face.outwards(side);
   plane.center =
       border + 0.5 * (top + bottom) * up + (plane.v.dot(outwards) > 0 ? 8 : -8) * plane.v;
   plane.half_u = 0.5 * (top - bottom);
@@ -179,18 +263,49 @@ Osteotomy bsso(const Face& face)
 {
   Osteotomy osteotomy;
   const Bite bite = bite_of(face, palate_forward(face));
-  const Vec3 gonion = 0.5 * (face.at("Go_R") + face.at("Go_L"));
   osteotomy.fragment = "mandible";
   for (const char* side : {"R", "L"})
     osteotomy.planes.push_back(behind_molars(face, side, bite));
-  // Teeth that touch in the CT join the jaws. The plane runs on through both rami, so that it meets
-  // bone in an open bite too; their parts are all bone that stays.
-  const double depth = (bite.front - gonion).dot(bite.along) - 10;
+  // Teeth that touch in the CT join the jaws. It ends at the planes behind the molars: the rami stay
+  // whole, so that they may be fragments too.
+  double depth = 0;
+  for (const BoundedPlane& plane : osteotomy.planes)
+    depth = std::max(depth, (bite.front - plane.center).dot(bite.along) + 6);
   const double width = (face.at("Go_R") - face.at("Go_L")).norm() + 30;
   osteotomy.planes.push_back(plane_between("mandible occlusal", face.right, bite.front,
                                            bite.front - depth * bite.along, width));
+  osteotomy.planes.back().may_miss = true;
   // above any cut of the chin
   osteotomy.fragment_point = face.at("B") + 4 * face.right.cross(bite.along) - 3 * bite.along;
+  return osteotomy;
+}
+
+/// The segment behind a sagittal split: the ramus with its condyle, freed from the joint's socket.
+Osteotomy ramus(const Face& face, const std::string& side)
+{
+  Osteotomy osteotomy;
+  const Vec3 forward = palate_forward(face);
+  const Vec3 up = face.right.cross(forward);
+  const Vec3 outwards = face.outwards(side);
+  osteotomy.fragment = side == "R" ? "ramus right" : "ramus left";
+  osteotomy.planes.push_back(behind_molars(face, side, bite_of(face, forward)));
+  osteotomy.planes.back().name = osteotomy.fragment + " front";
+  // over the condyle from behind to before, sawn from the side
+  constexpr double radius = 9;
+  const Vec3 middle = face.at("Co_" + side) - (radius - 1) * up;
+  SweptCurve joint;
+  joint.name = osteotomy.fragment + " joint";
+  for (int degrees = -20; degrees <= 200; degrees += 10)
+  {
+    const double a = degrees * 3.14159265358979323846 / 180;
+    joint.points.push_back(middle + radius * (std::cos(a) * forward + std::sin(a) * up) +
+                           10 * outwards);
+  }
+  joint.direction = -outwards;
+  joint.depth_mm = 30;
+  joint.lead_mm = 10;
+  osteotomy.curves.push_back(joint);
+  osteotomy.fragment_point = face.at("Go_" + side) + 12 * up + 4 * forward - 3 * outwards;
   return osteotomy;
 }
 
@@ -198,9 +313,14 @@ const std::map<std::string, std::function<Osteotomy(const Face&)>>& templates()
 {
   static const std::map<std::string, std::function<Osteotomy(const Face&)>> known = {
       {"le-fort-1", le_fort_1},
+      {"le-fort-2", le_fort_2},
       {"le-fort-3", le_fort_3},
       {"genioplasty", genioplasty},
-      {"bsso", bsso}};
+      {"bsso", bsso},
+      {"bsso-right", [](const Face& face) { return ramus(face, "R"); }},
+      {"bsso-left", [](const Face& face) { return ramus(face, "L"); }},
+      {"zygoma-right", [](const Face& face) { return zygoma(face, "R"); }},
+      {"zygoma-left", [](const Face& face) { return zygoma(face, "L"); }}};
   return known;
 }
 

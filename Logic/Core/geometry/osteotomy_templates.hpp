@@ -20,11 +20,17 @@ std::vector<std::string> osteotomy_template_names();
 ///   between the tooth rows. Needs ANS, PNS, Or_R, Or_L, U1, U6_R, U6_L; uses L1 if there.
 /// - `le-fort-3`: nasofrontal suture through the orbits to the pterygomaxillary junction; arches;
 ///   between the tooth rows. Needs N and the landmarks above.
+/// - `le-fort-2`: root of the nose, medial orbits, lower rims, down to the buttresses; between the
+///   tooth rows. Needs what `le-fort-3` needs.
+/// - `zygoma-right`, `zygoma-left`: lateral and lower rim of the orbit, buttress, arch. Needs N and
+///   ANS, PNS, Or and Zy, U6 of both sides.
 /// - `genioplasty`: from below B back to the lower border of the mandible. Needs Or_R, Or_L, B, Pg,
 ///   Me, Go_R, Go_L.
 /// - `bsso`: bilateral sagittal split, simplified to one vertical plane a side behind the molars
 ///   and one between the tooth rows; frees the tooth-bearing mandible with the chin. Needs ANS,
 ///   PNS, Or_R, Or_L, U1, U6_R, U6_L, B, Me, Go_R, Go_L; uses L1 if there.
+/// - `bsso-right`, `bsso-left`: the segments behind those of `bsso`, with their condyles: the
+///   vertical plane and an arch over the condyle. Needs Co of its side as well.
 /// \param fragment  name of the freed fragment
 /// Throws Error naming the template or the landmark that is not there.
 Osteotomy osteotomy_from_template(const std::string& name, const std::string& fragment,

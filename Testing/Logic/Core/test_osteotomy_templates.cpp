@@ -92,6 +92,29 @@ TEST(OsteotomyTemplates, EachFreesItsBoneAndLeavesTheRest)
                       {"U1", "U6_R", "U6_L", "ANS", "Go_R", "Go_L", "Co_R", "Co_L"});
 }
 
+TEST(OsteotomyTemplates, PyramidFreesNoseAndMaxilla)
+{
+  head().expect_parts({"le-fort-2"}, {{"ANS", "A", "U1", "U6_R", "U6_L"}},
+                      {"L1", "B", "Pg", "Zy_R", "Zy_L", "Go_R", "Co_L"});
+}
+
+TEST(OsteotomyTemplates, ZygomaComesAlone)
+{
+  head().expect_parts({"zygoma-right"}, {{}}, {"ANS", "U1", "U6_R", "N", "Go_R", "Co_R", "Or_L"});
+  const BonePartition partition = head().cut({"zygoma-right", "zygoma-left"});
+  const auto& volume = partition.fragment_volume_mm3;
+  EXPECT_GT(volume[0], 3000);
+  EXPECT_LT(volume[0], 30000);
+  EXPECT_NEAR(volume[0], volume[1], 0.05 * volume[0]) << "the virtual patient is symmetric";
+}
+
+TEST(OsteotomyTemplates, SplitMandibleIsThreeFragments)
+{
+  head().expect_parts({"bsso", "bsso-right", "bsso-left"},
+                      {{"L1", "B", "Pg", "Me"}, {"Go_R", "Co_R"}, {"Go_L", "Co_L"}},
+                      {"U1", "U6_R", "ANS", "N", "Zy_R"});
+}
+
 TEST(OsteotomyTemplates, JawsAndChinCanBeCutTogether)
 {
   head().expect_parts({"bsso", "genioplasty"}, {{"L1", "B"}, {"Pg", "Me"}}, {"U1", "Go_R", "Co_L"});

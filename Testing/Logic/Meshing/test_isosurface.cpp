@@ -1,8 +1,11 @@
 #include "Meshing/isosurface.hpp"
+#include "Meshing/self_crossings.hpp"
 
 #include <gtest/gtest.h>
 
 #include <vtkDataArray.h>
+#include <vtkIdList.h>
+#include <vtkNew.h>
 #include <vtkPointData.h>
 
 #include <cmath>
@@ -45,6 +48,81 @@ TEST(Isosurface, SphereIsClosedAndOfTheRightSize)
   EXPECT_EQ(check.components, 1U);
   EXPECT_NEAR(check.area_mm2, 4 * pi * 400, 0.01 * 4 * pi * 400);
   EXPECT_NEAR(check.volume_mm3, 4 * pi * 8000 / 3, 0.01 * 4 * pi * 8000 / 3);
+}
+
+/// Samples that are inside alone, all others outside.
+ScalarGrid few_inside(const std::vector<Eigen::Vector3i>& inside)
+{
+  ScalarGrid grid = grid_of(6, 1.0, [](const Vec3&) { return 1.0; });
+  for (const Eigen::Vector3i& v : inside)
+    grid.values[grid.index(v.x(), v.y(), v.z())] = -1;
+  return grid;
+}
+
+TEST(Isosurface, BonesThatMeetAtAnEdgeOrCornerOfTheLatticeStayApart)
+{
+  SurfaceOptions raw;
+  raw.smoothing_iterations = 0;
+  for (const Eigen::Vector3i& other :
+       {Eigen::Vector3i(3, 3, 2), Eigen::Vector3i(3, 2, 3), Eigen::Vector3i(2, 3, 3),
+        Eigen::Vector3i(3, 1, 2), Eigen::Vector3i(3, 3, 3), Eigen::Vector3i(1, 3, 3)})
+  {
+    const SurfaceCheck check =
+        check_surface(watertight_isosurface(few_inside({{2, 2, 2}, other}), 0, raw));
+    expect_watertight(check);
+    EXPECT_EQ(check.components, 2U) << other.transpose();
+  }
+  EXPECT_EQ(
+      check_surface(watertight_isosurface(few_inside({{2, 2, 2}, {3, 2, 2}}), 0, raw)).components,
+      1U);
+}
+
+TEST(Isosurface, SmoothedThinWallsDoNotCross)
+{
+  // two shells 0.4 mm apart with folds that smoothing flattens
+  auto folded = [](const Vec3& p)
+  {
+    const double wave = 1.5 * std::sin(p.x() * 1.3) * std::cos(p.y() * 1.1);
+    return std::max({std::abs(p.z() - wave) - 0.6, 0.3 - std::abs(p.z() - wave),
+                     Vec3(p.x(), p.y(), 0).norm() - 15});
+  };
+  const auto surface = watertight_isosurface(grid_of(41, 1.0, folded));
+  const SurfaceCheck check = check_surface(surface);
+  expect_watertight(check);
+  TriangleMesh mesh;
+  for (vtkIdType p = 0; p < surface->GetNumberOfPoints(); ++p)
+    mesh.points.push_back(Vec3(surface->GetPoint(p)));
+  for (vtkIdType t = 0; t < surface->GetNumberOfPolys(); ++t)
+  {
+    vtkNew<vtkIdList> corners;
+    surface->GetCellPoints(t, corners);
+    mesh.triangles.push_back(
+        {int(corners->GetId(0)), int(corners->GetId(1)), int(corners->GetId(2))});
+  }
+  EXPECT_GT(mesh.triangles.size(), 1000U);
+  EXPECT_TRUE(crossing_triangles(mesh).empty());
+}
+
+TEST(SelfCrossings, AreFoundAndYieldToWherePointsWere)
+{
+  // two stacked tetrahedra; the upper one's tip is pushed through the lower one's base
+  auto tetrahedron = [](double z, double tip)
+  {
+    return TriangleMesh{{{0, 0, z}, {4, 0, z}, {0, 4, z}, {1, 1, tip}},
+                        {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
+  };
+  TriangleMesh mesh = tetrahedron(0, 2);
+  TriangleMesh upper = tetrahedron(5, 8);
+  for (Triangle t : upper.triangles)
+    mesh.triangles.push_back({t[0] + 4, t[1] + 4, t[2] + 4});
+  mesh.points.insert(mesh.points.end(), upper.points.begin(), upper.points.end());
+  const std::vector<Vec3> rest = mesh.points;
+  EXPECT_TRUE(crossing_triangles(mesh).empty());
+  mesh.points[3] = {1, 1, 6}; // the lower tip pierces the upper base
+  EXPECT_FALSE(crossing_triangles(mesh).empty());
+  EXPECT_GE(yield_crossings(mesh, rest), 1U);
+  EXPECT_TRUE(crossing_triangles(mesh).empty());
+  EXPECT_EQ(mesh.points[3], rest[3]);
 }
 
 TEST(Isosurface, LevelsAreOffsets)
