@@ -1,16 +1,14 @@
 #include "Imaging/dicom_series.hpp"
 
 #include "Core/error.hpp"
-#include "Imaging/quiet_streams.hpp"
+#include "Imaging/dicom_slice.hpp"
+#include "Imaging/slice_stack.hpp"
 #include "Imaging/voxel_buffer.hpp"
-
-#include <itkGDCMImageIO.h>
-#include <itkMetaDataObject.h>
-#include <itkVector.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <sstream>
 
 namespace f2b
 {
@@ -19,95 +17,17 @@ namespace
 
 namespace fs = std::filesystem;
 
-// ITK's vectors, not Core's: the readers' headers bring ITK's own copy of Eigen along, and two
-// versions of Eigen do not get on in one translation unit.
-using Vector = itk::Vector<double, 3>;
-
+using Vector = DicomSlice::Vector;
 constexpr std::size_t fewest_slices = 16;
 
-struct Slice
-{
-  fs::path file;
-  std::string series, description, modality;
-  itk::SizeValueType columns = 0, rows = 0, frames = 1;
-  double spacing[3] = {0, 0, 0};
-  Vector origin, across, down; ///< LPS [mm]; unit vectors along a row and down a column
-  Vector normal() const { return itk::CrossProduct(across, down); }
-  double position() const { return origin * normal(); }
-};
-
+using Slice = DicomSlice;
 using Series = std::vector<Slice>;
-
-std::string tag(const itk::ImageIOBase& io, const char* key)
-{
-  std::string value;
-  itk::ExposeMetaData<std::string>(io.GetMetaDataDictionary(), key, value);
-  while (!value.empty() && (value.back() == ' ' || value.back() == '\0'))
-    value.pop_back();
-  return value;
-}
 
 std::string number(double value)
 {
   std::ostringstream out;
   out << value;
   return out.str();
-}
-
-/// Fewer bytes than its pixels take, in a file whose pixels are not compressed.
-void require_whole(const fs::path& file, const itk::ImageIOBase& io, const std::string& warnings)
-{
-  if (warnings.find("Incomplete Pixel Data") == std::string::npos)
-    return;
-  throw Error(file.string(),
-              "is a truncated DICOM slice: " + std::to_string(fs::file_size(file)) + " bytes for " +
-                  std::to_string(io.GetDimensions(0)) + " x " +
-                  std::to_string(io.GetDimensions(1)) + " pixels",
-              "copy the folder again");
-}
-
-Slice slice_of(const fs::path& file)
-{
-  const QuietStreams quiet;
-  auto io = itk::GDCMImageIO::New();
-  io->SetFileName(file.string());
-  Slice slice;
-  slice.file = file;
-  try
-  {
-    io->ReadImageInformation();
-  }
-  catch (const itk::ExceptionObject&)
-  {
-    return slice;
-  }
-  require_whole(file, *io, quiet.text());
-  slice.series = tag(*io, "0020|000e");
-  slice.description = tag(*io, "0008|103e");
-  slice.modality = tag(*io, "0008|0060");
-  if (slice.modality == "CT")
-    require_hounsfield_type(*io, file.string());
-  slice.columns = io->GetDimensions(0);
-  slice.rows = io->GetDimensions(1);
-  slice.frames = io->GetNumberOfDimensions() > 2 ? io->GetDimensions(2) : 1;
-  for (unsigned a = 0; a < 3 && a < io->GetNumberOfDimensions(); ++a)
-  {
-    slice.spacing[a] = io->GetSpacing(a);
-    slice.origin[a] = io->GetOrigin(a);
-    slice.across[a] = io->GetDirection(0)[a];
-    slice.down[a] = io->GetDirection(1)[a];
-  }
-  // ITK puts 1 mm in the place of a spacing that is missing or nought.
-  const std::string written = tag(*io, "0028|0030");
-  double row_spacing = 0, column_spacing = 0;
-  if (std::sscanf(written.c_str(), "%lf\\%lf", &row_spacing, &column_spacing) == 2)
-  {
-    slice.spacing[0] = column_spacing;
-    slice.spacing[1] = row_spacing;
-  }
-  if (slice.frames == 1 && tag(*io, "0020|0032").empty())
-    slice.series.clear();
-  return slice;
 }
 
 std::vector<fs::path> files_of(const fs::path& folder)
@@ -132,16 +52,20 @@ std::string rounded(const Vector& direction)
 }
 
 /// Slices by series; slices of another size or direction within a series count as a series too.
-std::map<std::string, Series> series_of(const fs::path& folder)
+/// \param unreadable  gets the names of DICOM files that hold no image that can be read
+std::map<std::string, Series> series_of(const fs::path& folder, std::string& unreadable)
 {
   std::map<std::string, Series> found;
   for (const fs::path& file : files_of(folder))
   {
     if (!is_dicom(file))
       continue;
-    Slice slice = slice_of(file);
-    if (slice.series.empty())
+    std::optional<Slice> read = read_slice_header(file);
+    if (!read)
+      unreadable += (unreadable.empty() ? "" : ", ") + file.filename().string();
+    if (!read || read->series.empty())
       continue;
+    Slice& slice = *read;
     std::ostringstream key;
     key << slice.series << ' ' << slice.columns << 'x' << slice.rows << ' ' << rounded(slice.across)
         << ' ' << rounded(slice.down);
@@ -164,107 +88,215 @@ bool is_volume(const Series& series)
   return series.size() >= fewest_slices || series[0].frames >= fewest_slices;
 }
 
-Series the_series(const fs::path& folder, std::vector<std::string>& notes)
+/// The series that a user named: by its place in the list, its UID or a part of its description.
+bool is_named(const Series& series, std::size_t place, const std::string& name)
 {
-  std::map<std::string, Series> found = series_of(folder);
-  std::string list;
-  std::size_t volumes = 0;
-  for (const auto& [key, series] : found)
-  {
-    volumes += is_volume(series);
-    list += (list.empty() ? "" : ", ") + described(series);
-  }
-  if (found.size() == 1)
-    return std::move(found.begin()->second);
-  if (volumes != 1)
-    throw Error(folder.string(), "holds " + std::to_string(found.size()) + " DICOM series: " + list,
-                "give a folder with one series");
-  Series chosen;
-  for (auto& [key, series] : found)
-    if (is_volume(series))
-      chosen = std::move(series);
-    else
-      notes.push_back("Left out a small DICOM series: " + described(series) + ".");
-  return chosen;
+  return name == std::to_string(place) || name == series[0].series ||
+         (name.size() > 2 && series[0].description.find(name) != std::string::npos);
 }
 
-/// The distance between neighbouring slices [mm].
-double slice_spacing(const Series& sorted, const fs::path& folder)
+Series the_series(const fs::path& folder, const std::string& name, std::string& unreadable,
+                  std::vector<std::string>& notes)
+{
+  std::map<std::string, Series> found = series_of(folder, unreadable);
+  if (!unreadable.empty())
+    notes.push_back("Left out DICOM files that hold no image that can be read: " + unreadable +
+                    ".");
+  std::string list;
+  std::vector<std::map<std::string, Series>::iterator> wanted;
+  std::size_t place = 0;
+  for (auto entry = found.begin(); entry != found.end(); ++entry)
+  {
+    ++place;
+    list += (list.empty() ? "" : ", ") + std::to_string(place) + ": " + described(entry->second);
+    if (name.empty() ? is_volume(entry->second) : is_named(entry->second, place, name))
+      wanted.push_back(entry);
+  }
+  if (name.empty() && found.size() == 1)
+    return std::move(found.begin()->second);
+  if (wanted.size() != 1)
+    throw Error(folder.string(),
+                "holds " + std::to_string(found.size()) + " DICOM series: " + list +
+                    (name.empty() ? std::string()
+                                  : "; " + std::to_string(wanted.size()) + " are '" + name + "'"),
+                "name one of them with --series, or 'series' in the case, by number or UID");
+  for (auto entry = found.begin(); entry != found.end(); ++entry)
+    if (entry != wanted.front())
+      notes.push_back((is_volume(entry->second) ? "Left out another DICOM series: "
+                                                : "Left out a small DICOM series: ") +
+                      described(entry->second) + ".");
+  return std::move(wanted.front()->second);
+}
+
+std::vector<double> steps_of(const Series& sorted)
 {
   std::vector<double> steps;
   for (std::size_t s = 1; s < sorted.size(); ++s)
     steps.push_back(sorted[s].position() - sorted[s - 1].position());
-  std::vector<double> ordered = steps;
-  std::nth_element(ordered.begin(), ordered.begin() + ordered.size() / 2, ordered.end());
-  const double usual = ordered[ordered.size() / 2];
-  for (std::size_t s = 0; s < steps.size(); ++s)
-  {
-    const std::string between =
-        sorted[s].file.filename().string() + " and " + sorted[s + 1].file.filename().string();
-    if (steps[s] < 1e-3)
-      throw Error(folder.string(), "has two slices at one position: " + between,
-                  "keep one image of each slice");
-    if (std::abs(steps[s] - usual) > 0.05 * usual)
-      throw Error(folder.string(),
-                  "slices are missing or not evenly spaced: " + number(steps[s]) + " mm between " +
-                      between + ", elsewhere " + number(usual) + " mm",
-                  "copy all slices of the series");
-  }
-  return (sorted.back().position() - sorted.front().position()) /
-         static_cast<double>(sorted.size() - 1);
+  return steps;
 }
 
-void require_no_tilt(const Series& sorted, const fs::path& folder)
+double median(std::vector<double> values)
+{
+  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
+  return values[values.size() / 2];
+}
+
+std::string between(const Series& sorted, std::size_t step)
+{
+  return sorted[step].file.filename().string() + " and " +
+         sorted[step + 1].file.filename().string();
+}
+
+/// Slices that are missing: few gaps, each of about whole slices. Protocols of two slice distances
+/// have many.
+void require_all_slices(const Series& sorted, const std::vector<double>& steps, double usual,
+                        const std::string& unreadable, const fs::path& folder)
+{
+  std::string gaps;
+  std::size_t count = 0;
+  for (std::size_t s = 0; s < steps.size(); ++s)
+    if (steps[s] > 1.5 * usual)
+    {
+      ++count;
+      if (count <= 5)
+        gaps += (gaps.empty() ? "" : ", ") + number(steps[s]) + " mm between " + between(sorted, s);
+    }
+  constexpr double farthest_mm = 6; // a slice distance beyond which a face is not interpolated
+  const double widest = *std::max_element(steps.begin(), steps.end());
+  if (count == 0 || (count > steps.size() / 8 && widest <= farthest_mm))
+    return;
+  throw Error(folder.string(),
+              "slices are missing: " + gaps + (count > 5 ? " and more" : "") + ", elsewhere " +
+                  number(usual) + " mm" +
+                  (unreadable.empty() ? "" : "; these files cannot be read: " + unreadable),
+              "copy all slices of the series");
+}
+
+double shear_deg(const Series& sorted)
 {
   const Vector way = sorted.back().origin - sorted.front().origin;
-  const Vector normal = sorted.front().normal();
-  const Vector aside = way - normal * (way * normal);
-  if (aside.GetNorm() > 0.01 * way.GetNorm())
-    throw Error(folder.string(),
-                "slices are shifted by " + number(aside.GetNorm()) + " mm in all (tilted gantry)",
-                "resample the CT to a rectangular lattice");
+  const double along = way * sorted.front().normal();
+  const Vector aside = way - sorted.front().normal() * along;
+  return std::atan2(aside.GetNorm(), along) * 57.29577951308232;
 }
 
-void read_slice(const Slice& slice, short* voxels)
+/// What has to be mended before the slices are a lattice.
+struct Mending
 {
-  const QuietStreams quiet;
-  auto io = itk::GDCMImageIO::New();
-  io->SetFileName(slice.file.string());
-  try
-  {
-    io->ReadImageInformation();
-    read_voxels(*io, slice.file.string(), voxels);
-  }
-  catch (const itk::ExceptionObject& error)
-  {
-    throw Error(slice.file.string(), "cannot be read: " + first_line(error.GetDescription()),
-                "copy the folder again");
-  }
+  double step_mm = 1; ///< of the lattice
+  bool uneven = false, shifted = false;
+};
+
+Mending mending_of(const Series& sorted, const std::string& unreadable, const fs::path& folder,
+                   std::vector<std::string>& notes)
+{
+  const std::vector<double> steps = steps_of(sorted);
+  Mending mending;
+  mending.step_mm = median(steps);
+  require_all_slices(sorted, steps, mending.step_mm, unreadable, folder);
+  const auto [least, most] = std::minmax_element(steps.begin(), steps.end());
+  mending.uneven = *most - *least > 0.02 * mending.step_mm;
+  if (!mending.uneven)
+    mending.step_mm = (sorted.back().position() - sorted.front().position()) /
+                      static_cast<double>(sorted.size() - 1);
+  else
+    notes.push_back("Slices are unevenly spaced (" + number(*least) + " to " + number(*most) +
+                    " mm, the widest between " +
+                    between(sorted, static_cast<std::size_t>(most - steps.begin())) +
+                    "): interpolated to " + number(mending.step_mm) + " mm.");
+  const double tilt = shear_deg(sorted);
+  if (tilt > 40)
+    throw Error(folder.string(), "slices are shifted by " + number(tilt) + " degrees",
+                "check that the series is whole and of one scan");
+  mending.shifted = tilt > 0.5;
+  if (mending.shifted)
+    notes.push_back("Slices are shifted against one another by " + number(tilt) +
+                    " degrees (tilted gantry): resampled to a rectangular lattice.");
+  return mending;
 }
 
-CtImage::Pointer stack(const Series& sorted, const fs::path& folder)
+/// Leaves one of slices at the same position that show the same; refuses those that do not.
+void drop_repeats(Series& sorted, const fs::path& folder, std::vector<std::string>& notes)
+{
+  Series kept;
+  std::string dropped;
+  for (Slice& slice : sorted)
+    if (kept.empty() || slice.position() - kept.back().position() > 1e-3)
+      kept.push_back(std::move(slice));
+    else if (same_pixels(kept.back(), slice))
+      dropped += (dropped.empty() ? "" : ", ") + slice.file.filename().string();
+    else
+      throw Error(
+          folder.string(),
+          "has two different slices at one position: " + kept.back().file.filename().string() +
+              " and " + slice.file.filename().string(),
+          "keep one image of each slice");
+  sorted = std::move(kept);
+  if (!dropped.empty())
+    notes.push_back("Left out repeated slices: " + dropped + ".");
+}
+
+CtImage::DirectionType direction_of(const Slice& slice)
+{
+  const Vector normal = slice.normal();
+  CtImage::DirectionType direction;
+  for (unsigned a = 0; a < 3; ++a)
+  {
+    direction(a, 0) = slice.across[a];
+    direction(a, 1) = slice.down[a];
+    direction(a, 2) = normal[a];
+  }
+  return direction;
+}
+
+/// Uneven or shifted slices on a lattice of their own.
+CtImage::Pointer mended(const Series& sorted, const Mending& mending, CtImage::SpacingType spacing,
+                        const fs::path& folder)
+{
+  const Slice& first = sorted.front();
+  std::vector<SlicePlace> places;
+  for (const Slice& slice : sorted)
+  {
+    const Vector aside = slice.origin - first.origin;
+    places.push_back({slice.position(), aside * first.across, aside * first.down});
+  }
+  const int columns = static_cast<int>(first.columns), rows = static_cast<int>(first.rows);
+  const StackLattice lattice =
+      stack_lattice(places, mending.step_mm, columns, rows, spacing[0], spacing[1]);
+  CtImage::PointType origin;
+  for (unsigned a = 0; a < 3; ++a)
+    origin[a] = first.origin[a] - lattice.before_across * spacing[0] * first.across[a] -
+                lattice.before_down * spacing[1] * first.down[a];
+  const CtImage::SizeType size{{static_cast<itk::SizeValueType>(lattice.columns),
+                                static_cast<itk::SizeValueType>(lattice.rows), lattice.planes}};
+  const CtImage::Pointer ct =
+      make_image(size, spacing, origin, direction_of(first), folder.string());
+  resample_stack(
+      places, lattice, columns, rows, spacing[0], spacing[1],
+      [&](std::size_t s, short* voxels) { read_slice(sorted[s], voxels); }, ct->GetBufferPointer());
+  return ct;
+}
+
+CtImage::Pointer stack(const Series& sorted, const std::string& unreadable, const fs::path& folder,
+                       std::vector<std::string>& notes)
 {
   const Slice& first = sorted.front();
   const bool several = sorted.size() > 1;
+  const Mending mending = several ? mending_of(sorted, unreadable, folder, notes) : Mending{};
   CtImage::SpacingType spacing;
   spacing[0] = first.spacing[0];
   spacing[1] = first.spacing[1];
-  spacing[2] = several ? slice_spacing(sorted, folder) : first.spacing[2];
+  spacing[2] = several ? mending.step_mm : first.spacing[2];
   require_spacing(spacing.GetDataPointer(), folder.string());
-  if (several)
-    require_no_tilt(sorted, folder);
-  const Vector normal = first.normal();
-  CtImage::DirectionType direction;
+  if (mending.uneven || mending.shifted)
+    return mended(sorted, mending, spacing, folder);
   CtImage::PointType origin;
   for (unsigned a = 0; a < 3; ++a)
-  {
-    direction(a, 0) = first.across[a];
-    direction(a, 1) = first.down[a];
-    direction(a, 2) = normal[a];
     origin[a] = first.origin[a];
-  }
   const CtImage::SizeType size{{first.columns, first.rows, several ? sorted.size() : first.frames}};
-  const CtImage::Pointer ct = make_image(size, spacing, origin, direction, folder.string());
+  const CtImage::Pointer ct =
+      make_image(size, spacing, origin, direction_of(first), folder.string());
   for (std::size_t s = 0; s < sorted.size(); ++s)
     read_slice(sorted[s], ct->GetBufferPointer() + s * first.columns * first.rows);
   return ct;
@@ -272,21 +304,18 @@ CtImage::Pointer stack(const Series& sorted, const fs::path& folder)
 
 } // namespace
 
-bool is_dicom(const fs::path& file)
+CtImage::Pointer read_dicom_folder(const fs::path& folder, const std::string& series_name,
+                                   std::vector<std::string>& notes)
 {
-  const QuietStreams quiet;
-  return itk::GDCMImageIO::New()->CanReadFile(file.c_str());
-}
-
-CtImage::Pointer read_dicom_folder(const fs::path& folder, std::vector<std::string>& notes)
-{
-  Series series = the_series(folder, notes);
+  std::string unreadable;
+  Series series = the_series(folder, series_name, unreadable, notes);
   if (series[0].modality != "CT")
     throw Error(folder.string(), "DICOM modality is '" + series[0].modality + "'",
                 "give a CT; other images do not hold Hounsfield units");
   std::sort(series.begin(), series.end(),
             [](const Slice& a, const Slice& b) { return a.position() < b.position(); });
-  return stack(series, folder);
+  drop_repeats(series, folder, notes);
+  return stack(series, unreadable, folder, notes);
 }
 
 } // namespace f2b

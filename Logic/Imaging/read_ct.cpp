@@ -2,6 +2,7 @@
 
 #include "Core/error.hpp"
 #include "Imaging/dicom_series.hpp"
+#include "Imaging/grey_values.hpp"
 #include "Imaging/quiet_streams.hpp"
 #include "Imaging/volume_header.hpp"
 #include "Imaging/voxel_buffer.hpp"
@@ -113,27 +114,33 @@ void require_hounsfield_values(const CtImage& ct, const std::string& name)
   const auto [lowest, highest] = std::minmax_element(voxels, voxels + count);
   if (static_cast<double>(air) >= 0.005 * static_cast<double>(count) && *highest > 200)
     return;
-  throw Error(name,
-              "does not look like a CT: values run from " + std::to_string(*lowest) + " to " +
-                  std::to_string(*highest) + ", " +
-                  (*highest > 200 ? "hardly any below -500 HU (air)" : "none above 200 HU (bone)"),
-              "give a CT in Hounsfield units, not an MR or a rescaled image");
+  throw Error(
+      name,
+      "does not look like a CT: values run from " + std::to_string(*lowest) + " to " +
+          std::to_string(*highest) + ", " +
+          (*highest > 200 ? "hardly any below -500 HU (air)" : "none above 200 HU (bone)"),
+      "give a CT in Hounsfield units, not an MR or a rescaled image; for a cone-beam CT set "
+      "\"grey_values\": \"cbct\" in the case");
 }
 
 } // namespace
 
-CtImage::Pointer read_ct(const fs::path& path, std::vector<std::string>* notes)
+CtImage::Pointer read_ct(const fs::path& path, std::vector<std::string>* notes,
+                         const CtReading& reading)
 {
   if (!fs::exists(path))
     throw Error(path.string(), "does not exist", "check the path of the CT");
   std::vector<std::string> ignored;
+  std::vector<std::string>& told = notes ? *notes : ignored;
   CtImage::Pointer ct;
   if (fs::is_directory(path))
-    ct = read_dicom_folder(path, notes ? *notes : ignored);
+    ct = read_dicom_folder(path, reading.series, told);
   else if (lower_name(path).find(".dcm") != std::string::npos || !path.has_extension())
-    ct = read_dicom_folder(fs::absolute(path).parent_path(), notes ? *notes : ignored);
+    ct = read_dicom_folder(fs::absolute(path).parent_path(), reading.series, told);
   else
     ct = read_file(path);
+  if (reading.shifted_grey_values)
+    told.push_back(to_hounsfield(*ct, path.string()));
   require_hounsfield_values(*ct, path.string());
   return ct;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "Imaging/ct_image.hpp"
+#include "Imaging/ct_reading.hpp"
 
 #include <filesystem>
 #include <string>
@@ -14,10 +15,10 @@ namespace f2b
 /// file.
 ///
 /// Voxels are Hounsfield units, rounded to whole ones. A path to one DICOM file means its folder.
-/// \param notes  gets what was left out, a sentence each, if not null
+/// \param notes  gets what was left out or mended, a sentence each, if not null
 /// \throws Error  whatever is wrong with it, in one line with the file's name, the value and a
 /// remedy
 CtImage::Pointer read_ct(const std::filesystem::path& path,
-                         std::vector<std::string>* notes = nullptr);
+                         std::vector<std::string>* notes = nullptr, const CtReading& reading = {});
 
 } // namespace f2b

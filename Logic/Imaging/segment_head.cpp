@@ -3,6 +3,7 @@
 #include "Core/error.hpp"
 #include "Imaging/head_region.hpp"
 #include "Imaging/histogram.hpp"
+#include "Imaging/level_set_bone.hpp"
 #include "Imaging/resample_ct.hpp"
 #include "Imaging/tissue_surfaces.hpp"
 
@@ -138,15 +139,32 @@ Lattice lattice_around(const Box& region, const CtImage& ct, const SegmentOption
                       anchor_ras(ct));
 }
 
+/// What a person drew over what was found.
+void respect(const LabelEdits& edits, HeadSegmentation& result)
+{
+  const std::size_t bone = apply_edits(result.bone, edits.bone),
+                    skin = apply_edits(result.skin, edits.head);
+  result.notes.insert(result.notes.end(), edits.notes.begin(), edits.notes.end());
+  result.notes.push_back("The drawn labels changed " + std::to_string(bone) +
+                         " samples of bone and " + std::to_string(skin) + " of the head.");
+}
+
 void find_surfaces(const HeadMask& head, const SegmentOptions& options, HeadSegmentation& result)
 {
   const TissueSurfaceOptions surfaces{result.skin_threshold_hu, result.bone_threshold_hu,
                                       options.head_closing_mm, options.bone_closing_mm,
                                       options.smallest_bone_ml};
-  auto bone =
-      std::async(std::launch::async, [&] { return bone_distance(result.hu, head, surfaces); });
+  auto bone = std::async(std::launch::async,
+                         [&]
+                         {
+                           return options.level_set ? level_set_bone(result.hu, head, surfaces,
+                                                                     *options.level_set)
+                                                    : bone_distance(result.hu, head, surfaces);
+                         });
   result.skin = face_distance(result.hu, head, surfaces);
   result.bone = bone.get();
+  if (options.edits)
+    respect(*options.edits, result);
   result.closed_bone = closed_bone_distance(result.hu, result.skin, result.bone, head, surfaces);
 }
 

@@ -2,7 +2,9 @@
 
 #include "Core/progress.hpp"
 #include "Imaging/ct_image.hpp"
+#include "Imaging/label_edits.hpp"
 #include "Imaging/lattice.hpp"
+#include "Imaging/level_set_options.hpp"
 
 #include <optional>
 #include <string>
@@ -24,6 +26,9 @@ struct SegmentOptions
   double skin_thickness_mm = 1.5;          ///< zeta, for the labels only
   double fat_threshold_hu = -30.0;         ///< below: fat; above: muscle
   double smallest_bone_ml = 0.5;           ///< smaller pieces of bone are dropped
+  /// Bone by the level set instead of the threshold.
+  std::optional<LevelSetBoneOptions> level_set;
+  std::optional<LabelEdits> edits; ///< what a person drew counts more than either
 };
 
 /// Values of HeadSegmentation::labels.
