@@ -7,7 +7,9 @@
 #include "Bridge/vtk_surface.hpp"
 #include "Case/case_session.hpp"
 #include "Case/mesh_pictures.hpp"
+#include "Case/placed_osteotomies.hpp"
 #include "Core/geometry/movement_words.hpp"
+#include "Core/geometry/saw_blade.hpp"
 
 #include <vtkFloatArray.h>
 #include <vtkPointData.h>
@@ -21,11 +23,12 @@ namespace
 
 using nlohmann::json;
 
-Surface plane_quads(const std::vector<BoundedPlane>& planes)
+Surface cut_quads(const std::vector<Osteotomy>& osteotomies)
 {
   TriangleMesh mesh;
-  for (const BoundedPlane& p : planes)
+  for (const SawFacet& facet : saw_facets(osteotomies))
   {
+    const BoundedPlane& p = facet.plane;
     const int first = static_cast<int>(mesh.points.size());
     for (const auto& [a, b] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}})
       mesh.points.push_back(p.center + a * p.half_u * p.u + b * p.half_v * p.v);
@@ -107,7 +110,7 @@ PlanPictures case_pictures(const CaseFolder& folder, const PictureNeeds& needs)
   if (!pictures.uncut_bone)
     pictures.uncut_bone = read_surface(folder.require("bone.vtp", "segment"));
   if (folder.has("cuts.mrk.json"))
-    pictures.cut_planes = plane_quads(read_planes(folder.file("cuts.mrk.json")));
+    pictures.cut_planes = cut_quads(placed_osteotomies(folder));
   pictures.target = surface_if_there(folder, "target.vtp");
   if (pictures.target)
   {

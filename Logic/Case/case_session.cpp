@@ -50,10 +50,21 @@ void CaseSession::change_settings(const json& case_document, const Path& source)
 
 void require_inputs_elsewhere(const CaseSettings& settings, const Path& folder)
 {
-  std::vector<Path> inputs = {settings.ct, settings.landmarks, settings.target.mesh,
-                              settings.target.warp_from, settings.target.warp_to};
+  std::vector<Path> inputs = {settings.ct,
+                              settings.landmarks,
+                              settings.target.mesh,
+                              settings.target.warp_from,
+                              settings.target.warp_to,
+                              settings.seeds,
+                              settings.labels};
   for (const OsteotomySettings& o : settings.osteotomies)
+  {
     inputs.insert(inputs.end(), o.planes.begin(), o.planes.end());
+    for (const CurveSettings& curve : o.curves)
+      inputs.push_back(curve.markup);
+  }
+  for (const ProtectedSettings& p : settings.protected_structures)
+    inputs.insert(inputs.end(), {p.curve, p.mesh});
   const Path home = std::filesystem::weakly_canonical(folder);
   for (const Path& input : inputs)
   {

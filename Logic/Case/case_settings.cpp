@@ -116,6 +116,38 @@ void visit_bite_paths(json& movement, const Visit& visit)
       visit(bite["points"][key]);
 }
 
+CurveSettings curve_from(const json& value, const Path& source)
+{
+  CurveSettings curve;
+  take_path(value, "markup", source, curve.markup);
+  if (value.contains("direction_ras"))
+    curve.direction = point_from(value["direction_ras"]);
+  take(value, "depth_mm", curve.depth_mm);
+  take(value, "lead_mm", curve.lead_mm);
+  take(value, "straight", curve.straight);
+  return curve;
+}
+
+std::vector<ProtectedSettings> protected_from(const json& document, const Path& source)
+{
+  std::vector<ProtectedSettings> structures;
+  for (const json& value : document.value("protected", json::array()))
+  {
+    ProtectedSettings p;
+    take(value, "name", p.name);
+    take_path(value, "curve", source, p.curve);
+    take_path(value, "mesh", source, p.mesh);
+    take(value, "margin_mm", p.margin_mm);
+    if (p.curve.empty() == p.mesh.empty())
+      throw Error(source.string(),
+                  "'/protected' has '" + p.name + "' with " +
+                      (p.curve.empty() ? "neither" : "both") + " curve and mesh",
+                  "give exactly one of them");
+    structures.push_back(std::move(p));
+  }
+  return structures;
+}
+
 OsteotomySettings osteotomy_from(const json& value, std::size_t index, const Path& source)
 {
   OsteotomySettings o;
@@ -127,13 +159,14 @@ OsteotomySettings osteotomy_from(const json& value, std::size_t index, const Pat
     o.planes.push_back(resolved(file.get<std::string>(), source));
   if (value.contains("fragment_point_ras"))
     o.fragment_point = point_from(value["fragment_point_ras"]);
-  if (o.template_name.empty() == o.planes.empty())
+  for (const json& curve : value.value("curves", json::array()))
+    o.curves.push_back(curve_from(curve, source));
+  if (o.template_name.empty() && !o.drawn())
+    throw Error(source.string(), where + " has neither template nor planes nor curves",
+                "give a template, or draw the cuts");
+  if (o.template_name.empty() && (!o.fragment_point || o.fragment.empty()))
     throw Error(source.string(),
-                where + " has " + (o.planes.empty() ? "neither" : "both") + " template and planes",
-                "give exactly one of them");
-  if (!o.planes.empty() && (!o.fragment_point || o.fragment.empty()))
-    throw Error(source.string(),
-                where + " has planes but no fragment_point_ras or no fragment name",
+                where + " has drawn cuts but no fragment_point_ras or no fragment name",
                 "name the fragment and give a point on the bone that is to be free");
   require_known_template(o.template_name, where, source);
   o.movement = value.value("movement", json());
@@ -195,6 +228,7 @@ void read_groups(const json& document, CaseSettings& s)
   take(segmentation, "spacing_mm", s.spacing_mm);
   take(segmentation, "head_closing_mm", s.head_closing_mm);
   take(segmentation, "bone_closing_mm", s.bone_closing_mm);
+  s.level_set = segmentation.value("bone", "") == "level-set";
   const json mesh = document.value("mesh", none);
   take(mesh, "density", s.mesh_density);
   take(mesh, "release_margin_mm", s.release_margin_mm);
@@ -227,6 +261,11 @@ void check_together(const CaseSettings& s, const Path& source)
     throw Error(source.string(),
                 "'/solver/virtual_force/landmarks' names landmarks, and '/landmarks' is absent",
                 "give a file of Slicer fiducials");
+  if (!s.seeds.empty() && !s.level_set)
+    throw Error(source.string(),
+                "'/segmentation/seeds' is given, and '/segmentation/bone' is not "
+                "level-set",
+                "set it to level-set: the threshold grows from no seeds");
   if (s.region_ras && !(s.region_ras->min.array() < s.region_ras->max.array()).all())
     throw Error(source.string(), "'/region_ras' has a min that is not below its max on every axis",
                 "exchange the coordinates of that axis");
@@ -251,13 +290,18 @@ CaseSettings parse_settings(const json& document, const Path& source)
   s.name = document.value("name", source.stem().string());
   take_path(document, "ct", source, s.ct);
   take_path(document, "landmarks", source, s.landmarks);
+  take(document, "series", s.reading.series);
+  s.reading.shifted_grey_values = document.value("grey_values", "") == "cbct";
   if (document.contains("region_ras"))
     s.region_ras =
         Box{point_from(document["region_ras"]["min"]), point_from(document["region_ras"]["max"])};
   take(document, "skin_thickness_mm", s.skin_thickness_mm);
   read_groups(document, s);
+  take_path(document.value("segmentation", json::object()), "seeds", source, s.seeds);
+  take_path(document.value("segmentation", json::object()), "labels", source, s.labels);
   for (std::size_t i = 0; i < document["osteotomies"].size(); ++i)
     s.osteotomies.push_back(osteotomy_from(document["osteotomies"][i], i, source));
+  s.protected_structures = protected_from(document, source);
   s.target = target_from(document["target"], source);
   s.predict = movements_from(document.value("predict", json::object()));
   check_together(s, source);
@@ -308,9 +352,21 @@ json with_absolute_paths(json document, const Path& source)
     if (osteotomy.contains("planes"))
       for (json& file : osteotomy["planes"])
         make_absolute(file);
+    if (osteotomy.contains("curves"))
+      for (json& curve : osteotomy["curves"])
+        make_absolute(curve["markup"]);
     if (osteotomy.contains("movement"))
       visit_bite_paths(osteotomy["movement"], make_absolute);
   }
+  if (document.contains("segmentation"))
+    for (const char* key : {"seeds", "labels"})
+      if (document["segmentation"].contains(key))
+        make_absolute(document["segmentation"][key]);
+  if (document.contains("protected"))
+    for (json& structure : document["protected"])
+      for (const char* key : {"curve", "mesh"})
+        if (structure.contains(key))
+          make_absolute(structure[key]);
   json& target = document["target"];
   if (target.contains("mesh"))
     make_absolute(target["mesh"]);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "Core/geometry/rigid_motion.hpp"
+#include "Imaging/ct_reading.hpp"
 #include "Imaging/lattice.hpp"
 
 #include <nlohmann/json.hpp>
@@ -27,14 +28,33 @@ struct StatedMovement
 };
 using Movements = std::map<std::string, StatedMovement>;
 
+/// A line drawn on bone and how it is sawn.
+struct CurveSettings
+{
+  Path markup;
+  std::optional<Vec3> direction; ///< across the bone's surface where absent
+  double depth_mm = 20, lead_mm = 5;
+  bool straight = false;
+};
+
 struct OsteotomySettings
 {
   std::string fragment;
-  std::string template_name; ///< or planes
-  std::vector<Path> planes;
+  std::string template_name;
+  std::vector<Path> planes; ///< with curves: the cuts, instead of the template's
+  std::vector<CurveSettings> curves;
+  bool drawn() const { return !planes.empty() || !curves.empty(); }
   std::optional<Vec3> fragment_point;
   double kerf_mm = 1.0;
   nlohmann::json movement; ///< as written, paths absolute (movement_rules.hpp); null: free
+};
+
+/// A structure that the saw should spare.
+struct ProtectedSettings
+{
+  std::string name;
+  Path curve, mesh; ///< one of them
+  double margin_mm = 2;
 };
 
 struct TargetSettings
@@ -62,11 +82,15 @@ struct CaseSettings
 {
   std::string name;
   Path ct, landmarks;
+  CtReading reading;
   std::optional<double> skin_threshold_hu, bone_threshold_hu;
   std::optional<Box> region_ras;
   double spacing_mm = 1.0, head_closing_mm = 5, bone_closing_mm = 8;
+  bool level_set = false; ///< bone by it instead of the threshold
+  Path seeds, labels;     ///< of the level set; edited by hand
   double skin_thickness_mm = 1.5;
   std::vector<OsteotomySettings> osteotomies;
+  std::vector<ProtectedSettings> protected_structures;
   TargetSettings target;
   std::string materials = "table1-stable";
   double mesh_density = 1, release_margin_mm = 5, contact_tolerance_mm = 2;

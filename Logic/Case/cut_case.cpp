@@ -1,10 +1,16 @@
 #include "Bridge/grid_file.hpp"
 #include "Bridge/json_file.hpp"
 #include "Bridge/markups.hpp"
-#include "Case/bone_part_surface.hpp"
+#include "Case/cut_surfaces.hpp"
+#include "Case/drawn_osteotomies.hpp"
+#include "Case/placed_osteotomies.hpp"
 #include "Case/verbs.hpp"
+#include "Core/geometry/trimmed_cuts.hpp"
 #include "Core/mesh/contact.hpp"
 #include "Meshing/isosurface.hpp"
+
+#include <algorithm>
+#include <cstdio>
 
 namespace f2b
 {
@@ -13,24 +19,83 @@ namespace
 
 using nlohmann::json;
 
-Osteotomy osteotomy_from(const OsteotomySettings& o, const Landmarks& landmarks)
+std::string one_digit(double value)
 {
-  if (!o.template_name.empty())
+  char text[32];
+  std::snprintf(text, sizeof text, "%.1f", value);
+  return text;
+}
+
+/// How near the cuts come to what they should spare; warnings go to `notes`.
+json clearances(const std::vector<ProtectedSettings>& structures,
+                const std::vector<Osteotomy>& osteotomies, json& notes)
+{
+  json told = json::array();
+  for (const ProtectedSettings& structure : structures)
   {
-    Osteotomy osteotomy =
-        osteotomy_from_template(o.template_name, o.fragment, landmarks, o.kerf_mm);
-    if (o.fragment_point)
-      osteotomy.fragment_point = *o.fragment_point;
-    return osteotomy;
+    const SawClearance c = saw_clearance(points_of(structure), osteotomies);
+    const bool cut = c.distance_mm <= 0, near = c.distance_mm < structure.margin_mm;
+    told.push_back({{"name", structure.name},
+                    {"distance_mm", std::max(0.0, c.distance_mm)},
+                    {"cut", c.cut},
+                    {"at_ras", to_json(c.at)},
+                    {"margin_mm", structure.margin_mm},
+                    {"sawn_through", cut},
+                    {"within_margin", near}});
+    if (near)
+      notes.push_back("The cut " + c.cut +
+                      (cut ? " goes through " : " is " + one_digit(c.distance_mm) + " mm from ") +
+                      "the protected structure '" + structure.name + "' at RAS (" +
+                      one_digit(c.at.x()) + ", " + one_digit(c.at.y()) + ", " +
+                      one_digit(c.at.z()) + ").");
   }
-  Osteotomy osteotomy;
-  osteotomy.fragment = o.fragment;
-  osteotomy.fragment_point = *o.fragment_point;
-  osteotomy.kerf_mm = o.kerf_mm;
-  for (const Path& file : o.planes)
-    for (BoundedPlane& plane : read_planes(file))
-      osteotomy.planes.push_back(std::move(plane));
-  return osteotomy;
+  return told;
+}
+
+/// Planes that part nothing are not sawn: that is said, but of planes that may miss.
+void tell_left_out(const Osteotomy& drawn, const Osteotomy& placed, json& notes)
+{
+  for (const BoundedPlane& plane : drawn.planes)
+  {
+    const bool kept = std::any_of(placed.planes.begin(), placed.planes.end(),
+                                  [&](const auto& p) { return p.name == plane.name; });
+    if (!kept && !plane.may_miss)
+      notes.push_back(
+          "The plane '" + plane.name + "' of '" + drawn.fragment +
+          "' parts no bone and was left out; draw a cut that is to end inside bone as a "
+          "curve.");
+  }
+}
+
+/// One fragment, with its surface and its cuts as markups for editing.
+json write_fragment(CaseChange& change, const Osteotomy& o, const TriangleMesh& surface,
+                    double volume_mm3)
+{
+  const auto polydata = with_normals(to_polydata(surface));
+  const SurfaceCheck check = check_surface(polydata);
+  const std::string part = file_part(o.fragment);
+  write_surface(change.file("fragment_" + part + ".vtp"), polydata);
+  if (!o.planes.empty())
+    write_planes(change.file("cuts_" + part + ".mrk.json"), o.planes);
+  json curves = json::array();
+  for (const SweptCurve& curve : o.curves)
+  {
+    PointMarkup markup;
+    markup.type = curve.closed ? "ClosedCurve" : "Curve";
+    for (const Vec3& p : curve.points)
+      markup.points.push_back({curve.name, p});
+    write_points(change.file("cuts_" + part + "_" + file_part(curve.name) + ".mrk.json"), markup);
+    curves.push_back(to_json(curve));
+  }
+  return {{"name", o.fragment},
+          {"reference_point_ras", to_json(area_centroid(surface))},
+          {"fragment_point_ras", to_json(o.fragment_point)},
+          {"kerf_mm", o.kerf_mm},
+          {"planes", o.planes.size()},
+          {"curves", curves},
+          {"volume_mm3", volume_mm3},
+          {"open_edges", check.open_edges},
+          {"non_manifold_edges", check.non_manifold_edges}};
 }
 
 } // namespace
@@ -42,43 +107,47 @@ void cut_case(CaseSession& session)
   const ScalarGrid bone = read_scalar_grid(folder.require("bone_distance.nrrd", "segment"));
   const ScalarGrid closed =
       read_scalar_grid(folder.require("closed_bone_distance.nrrd", "segment"));
+  const TriangleMesh surface =
+      to_triangle_mesh(read_surface(folder.require("bone.vtp", "segment")));
   const Landmarks landmarks = folder.has("landmarks.mrk.json")
                                   ? read_landmarks(folder.file("landmarks.mrk.json"))
                                   : Landmarks{};
   std::vector<Osteotomy> osteotomies;
   for (const OsteotomySettings& o : session.settings.osteotomies)
-    osteotomies.push_back(osteotomy_from(o, landmarks));
+    osteotomies.push_back(drawn_osteotomy(o, landmarks, bone));
 
   session.progress("cutting the bone", 0.1);
-  const BonePartition partition = cut_bone(bone, closed, osteotomies);
+  BonePartition partition = cut_bone(bone, closed, osteotomies);
+  json fragments = json::array(), notes = json::array();
+  partition.osteotomies = trimmed_cuts(partition);
+  for (std::size_t f = 0; f < osteotomies.size(); ++f)
+    tell_left_out(osteotomies[f], partition.osteotomies[f], notes);
+  osteotomies = partition.osteotomies;
+  session.progress("sawing its surface", 0.4);
+  const CutSurfaces cut = cut_surfaces(surface, partition);
 
+  session.progress("writing", 0.9);
   CaseChange change(session.folder);
   write_json(change.file(case_settings_name), session.document);
   std::vector<BoundedPlane> planes;
-  json fragments = json::array();
   for (std::size_t f = 0; f < osteotomies.size(); ++f)
   {
-    session.progress("cutting the bone",
-                     0.3 + 0.5 * static_cast<double>(f) / static_cast<double>(osteotomies.size()));
-    const auto label = static_cast<unsigned char>(BonePartition::first_fragment + f);
-    const auto surface = bone_part_surface(bone, partition, label);
-    const SurfaceCheck check = check_surface(surface);
-    const Osteotomy& o = osteotomies[f];
-    write_surface(change.file("fragment_" + file_part(o.fragment) + ".vtp"), surface);
-    planes.insert(planes.end(), o.planes.begin(), o.planes.end());
-    fragments.push_back({{"name", o.fragment},
-                         {"reference_point_ras", to_json(area_centroid(to_triangle_mesh(surface)))},
-                         {"fragment_point_ras", to_json(o.fragment_point)},
-                         {"kerf_mm", o.kerf_mm},
-                         {"planes", o.planes.size()},
-                         {"volume_mm3", check.volume_mm3},
-                         {"open_edges", check.open_edges}});
+    fragments.push_back(
+        write_fragment(change, osteotomies[f], cut.parts[f + 1], cut.volume_mm3[f + 1]));
+    planes.insert(planes.end(), osteotomies[f].planes.begin(), osteotomies[f].planes.end());
   }
-  write_surface(change.file("uncut_bone.vtp"),
-                bone_part_surface(bone, partition, BonePartition::uncut));
+  write_surface(change.file("uncut_bone.vtp"), with_normals(to_polydata(cut.parts[0])));
   write_planes(change.file("cuts.mrk.json"), planes);
   write_grid(change.file("bone_parts.nrrd"), partition.labels);
-  write_json(change.file("cut.json"), {{"seconds", watch.seconds()}, {"fragments", fragments}});
+  const json spared = clearances(session.settings.protected_structures, osteotomies, notes);
+  write_json(change.file("cut.json"), {{"seconds", watch.seconds()},
+                                       {"fragments", fragments},
+                                       {"bone_mm3", cut.bone_mm3},
+                                       {"uncut_mm3", cut.volume_mm3[0]},
+                                       {"kerf_mm3", cut.kerf_mm3},
+                                       {"imbalance", cut.imbalance},
+                                       {"protected", spared},
+                                       {"notes", notes}});
   change.commit("cut");
   session.progress("cut", 1);
 }

@@ -17,6 +17,22 @@ json fidelity_json(const DistanceFigures& d)
   return {{"p95", d.p95}, {"p99.5", d.p995}, {"max", d.max}, {"max_at_ras", to_json(d.max_place)}};
 }
 
+/// Tetrahedra by their smallest dihedral angle, and the share of those that a solver feels.
+json histogram_json(const MeshQuality& quality)
+{
+  constexpr int poor_bins = 2; // below 10 degrees
+  double all = 0, poor = 0;
+  for (int bin = 0; bin < MeshQuality::bin_count; ++bin)
+  {
+    const double count = quality.dihedral_histogram[static_cast<std::size_t>(bin)];
+    all += count;
+    poor += bin < poor_bins ? count : 0;
+  }
+  return {{"bin_deg", MeshQuality::bin_deg},
+          {"tets", quality.dihedral_histogram},
+          {"share_below_10_deg", all > 0 ? poor / all : 0}};
+}
+
 json report_json(const ShellMeshReport& r, const ContactReport& contact)
 {
   json remarks = json::array();
@@ -27,6 +43,7 @@ json report_json(const ShellMeshReport& r, const ContactReport& contact)
           {"nodes", r.nodes},
           {"dofs", 3 * r.nodes},
           {"min_dihedral_deg", r.quality.min_dihedral_deg},
+          {"dihedral_histogram", histogram_json(r.quality)},
           {"min_prism_scaled_jacobian", r.quality.min_scaled_jacobian},
           {"inverted_elements", r.quality.inverted_elements},
           {"unmatched_inner_faces", r.quality.unmatched_inner_faces},

@@ -3,9 +3,14 @@
 #include "Case/case_folder.hpp"
 #include "Core/geometry/osteotomy.hpp"
 
+#include <nlohmann/json.hpp>
+
 /// Where did the verb `cut` place the saw?
 namespace f2b
 {
+
+/// A curve as cut.json keeps it.
+nlohmann::json to_json(const SweptCurve& curve);
 
 /// In the order of the fragments. Throws Error where the case has not been cut.
 std::vector<Osteotomy> placed_osteotomies(const CaseFolder& folder);

@@ -1,9 +1,11 @@
 #include "Bridge/json_file.hpp"
+#include "Bridge/markups.hpp"
 #include "Bridge/mesh_file.hpp"
 #include "Bridge/transform_file.hpp"
 #include "Case/face_regions.hpp"
 #include "Case/fragment_json.hpp"
 #include "Case/movement_rules.hpp"
+#include "Case/patient_frame_json.hpp"
 #include "Case/plan_findings.hpp"
 #include "Case/plan_intervals.hpp"
 #include "Case/plan_target.hpp"
@@ -363,6 +365,9 @@ void Planning::finish(double seconds)
   timing["plan"] = seconds;
   timing["total"] = total;
   plan["peak_rss_mb"] = peak_memory_mb();
+  add_patient_frame(plan, m_session.folder.has("landmarks.mrk.json")
+                              ? read_landmarks(m_session.folder.file("landmarks.mrk.json"))
+                              : Landmarks{});
   write_json(m_change.file("plan.json"), plan);
   m_change.commit("plan");
 }

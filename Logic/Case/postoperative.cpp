@@ -239,7 +239,7 @@ PostoperativeFindings postoperative_findings(const CaseSession& session, const P
   const CtImage::Pointer after = read_ct(ct, &notes);
   for (const std::string& note : notes)
     warnings.push_back(note);
-  const CtImage::Pointer before = read_ct(session.settings.ct);
+  const CtImage::Pointer before = read_ct(session.settings.ct, nullptr, session.settings.reading);
   const WholeBone whole = find_whole_bone(*before, session.settings.ct.string());
   const PostoperativeHead seen = find_postoperative_head(
       *before, whole, unaltered_region(folder, whole, partition.labels, options), *after,
@@ -292,7 +292,7 @@ CtImage::Pointer synthetic_postoperative_ct(const CaseSession& session,
                                             const PostoperativeCtOptions& options)
 {
   const CaseFolder& folder = session.folder;
-  const CtImage::Pointer ct = read_ct(session.settings.ct);
+  const CtImage::Pointer ct = read_ct(session.settings.ct, nullptr, session.settings.reading);
   const ScalarGrid hu =
       resample_ct(*ct, lattice_over(extent_ras(*ct), session.settings.spacing_mm, anchor_ras(*ct)));
   const ScalarGrid bone = read_scalar_grid(folder.require("bone_distance.nrrd", "segment"));

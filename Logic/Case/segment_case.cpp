@@ -37,6 +37,11 @@ std::vector<std::string> check_cuts(const CaseSettings& s)
       require_file(planes, "/osteotomies/planes");
       (void)read_planes(planes);
     }
+    for (const CurveSettings& curve : o.curves)
+    {
+      require_file(curve.markup, "/osteotomies/curves/markup");
+      (void)read_points(curve.markup);
+    }
     fragments.push_back(
         o.template_name.empty()
             ? o.fragment
@@ -61,10 +66,28 @@ void check_target(const TargetSettings& target)
 void check_inputs(const CaseSettings& s)
 {
   const std::vector<std::string> fragments = check_cuts(s);
+  for (const ProtectedSettings& p : s.protected_structures)
+  {
+    require_file(p.curve, "/protected/curve");
+    require_file(p.mesh, "/protected/mesh");
+  }
+  require_file(s.seeds, "/segmentation/seeds");
+  require_file(s.labels, "/segmentation/labels");
   check_target(s.target);
   require_known_fragments(s.target.movements, fragments, "'/target/from_movement'");
   require_known_fragments(s.predict, fragments, "'/predict'");
   (void)read_materials(s.materials);
+}
+
+LevelSetBoneOptions level_set_options(const Path& seeds)
+{
+  LevelSetBoneOptions options;
+  if (seeds.empty())
+    return options;
+  for (const ControlPoint& point : read_points(seeds).points)
+    options.seeds_ras.push_back(point.position);
+  options.contour.propagation = 0.5;
+  return options;
 }
 
 SegmentOptions segment_options(const CaseSettings& s)
@@ -77,6 +100,10 @@ SegmentOptions segment_options(const CaseSettings& s)
   options.head_closing_mm = s.head_closing_mm;
   options.bone_closing_mm = s.bone_closing_mm;
   options.skin_thickness_mm = s.skin_thickness_mm;
+  if (s.level_set)
+    options.level_set = level_set_options(s.seeds);
+  if (!s.labels.empty())
+    options.edits = read_label_edits(s.labels);
   return options;
 }
 
@@ -97,7 +124,8 @@ void segment_case(CaseSession& session)
   check_inputs(session.settings);
   session.folder.require_replaceable(case_file_names(), "segment");
   session.progress("reading the CT", 0);
-  const CtImage::Pointer ct = read_ct(session.settings.ct);
+  std::vector<std::string> notes;
+  const CtImage::Pointer ct = read_ct(session.settings.ct, &notes, session.settings.reading);
   const HeadSegmentation head =
       segment_head(*ct, segment_options(session.settings), session.progress);
 
@@ -115,7 +143,7 @@ void segment_case(CaseSession& session)
   const std::vector<FaceRegion>& regions = edited ? *edited : made;
   add_regions(skin, regions);
   const std::vector<std::string> missing = missing_for_face_regions(landmarks);
-  std::vector<std::string> notes = head.notes;
+  notes.insert(notes.end(), head.notes.begin(), head.notes.end());
   if (!missing.empty())
     notes.push_back(regions_note(missing));
   if (edited)

@@ -120,7 +120,8 @@ void Suggesting::rank_all()
 {
   // asks whether there is anything to reach, before each cut would be told that there is not
   (void)attained(m_target.displacement, m_target, m_trials.face().skin_area);
-  const std::vector<std::string> names = osteotomy_template_names();
+  // those that move the face as a whole; one-sided cuts are not what a target of both sides asks for
+  const std::vector<std::string> names = {"bsso", "genioplasty", "le-fort-1", "le-fort-3"};
   const auto all = static_cast<double>(names.size() * (names.size() + 1) / 2);
   double tried = 0;
   const Progress progress = part(0.2, 0.95);

@@ -33,7 +33,7 @@ enum ExitCode
 
 struct Arguments
 {
-  std::string case_file, folder;
+  std::string case_file, folder, series;
   bool quiet = false;
   std::string target_mesh, scan, warp_from, warp_to;
   double warp_radius_mm = 45;
@@ -69,17 +69,34 @@ void print_prediction(const Path& folder)
     std::cout << "Warning: " << warning.get<std::string>() << "\n";
 }
 
+nlohmann::json case_document(const Arguments& a)
+{
+  nlohmann::json document = read_json(a.case_file);
+  if (!a.series.empty() && document.is_object())
+    document["series"] = a.series;
+  return document;
+}
+
 void run(const Arguments& a, const Progress& progress)
 {
-  run_case(read_json(a.case_file), a.case_file, a.folder, progress);
+  run_case(case_document(a), a.case_file, a.folder, progress);
 }
 
 void segment(const Arguments& a, const Progress& progress)
 {
-  const nlohmann::json document = read_json(a.case_file);
+  const nlohmann::json document = case_document(a);
   require_inputs_elsewhere(parse_settings(document, a.case_file), a.folder);
   CaseSession session(a.folder, document, a.case_file, progress);
   segment_case(session);
+}
+
+void cut(const Arguments& a, const Progress& progress)
+{
+  CaseSession session = CaseSession::open(a.folder, progress);
+  cut_case(session);
+  const nlohmann::json told = read_json(session.folder.file("cut.json"));
+  for (const nlohmann::json& note : told.at("notes"))
+    std::cout << note.get<std::string>() << "\n";
 }
 
 /// Says where a setting comes from; relative paths in it start from where the user stands.
@@ -169,6 +186,9 @@ CLI::App* add_case_verb(CLI::App& app, Arguments& a, const char* name, const cha
   verb->add_option("CASE", a.case_file, "Case file (JSON; Resources/Schema/case.schema.json)")
       ->required();
   verb->add_option("-o,--output", a.folder, "Case folder to write")->required();
+  verb->add_option(
+      "--series", a.series,
+      "Of a DICOM folder with several: number in the list that the error gives, or UID");
   return verb;
 }
 
@@ -362,7 +382,7 @@ std::map<CLI::App*, Action> add_verbs(CLI::App& app, Arguments& a)
                         "Do everything: CT and target face in, plan and report out")] = run;
   actions[add_case_verb(app, a, "segment", "Find skin and bone in the CT; begins a case folder")] =
       segment;
-  actions[add_verb(app, a, "cut", "Cut the bone into fragments")] = on_case(cut_case);
+  actions[add_verb(app, a, "cut", "Cut the bone into fragments")] = cut;
   actions[add_verb(app, a, "mesh", "Mesh skin and soft tissue between face and bone")] =
       on_case(mesh_case);
   CLI::App* target_verb = add_movements(add_verb(app, a, "target", "Make the target face"), a);

@@ -213,17 +213,52 @@ TEST(CaseSettings, MissingKeysAreNamed)
   refused(with("/region_ras", {{"min", {0, 0, 0}}}), {"'/region_ras/max' is absent"});
 }
 
-TEST(CaseSettings, ExactlyOneOfTemplateAndPlanes)
+TEST(CaseSettings, CutsAreATemplateOrDrawnOrATemplateThatWasEdited)
 {
   refused(with("/osteotomies/0", {{"fragment", "x"}}),
-          {"'/osteotomies/0'", "neither", "exactly one"});
-  refused(with("/osteotomies/0/planes", {"a.json"}), {"'/osteotomies/0'", "both", "exactly one"});
+          {"'/osteotomies/0'", "neither template nor planes nor curves", "draw the cuts"});
+  const CaseSettings edited =
+      parse_settings(with("/osteotomies/0/planes", {"a.json"}), "/cases/case.json");
+  EXPECT_FALSE(edited.osteotomies[0].template_name.empty());
+  EXPECT_TRUE(edited.osteotomies[0].drawn());
+  const CaseSettings curves = parse_settings(
+      with("/osteotomies/0",
+           {{"fragment", "x"},
+            {"fragment_point_ras", {1, 2, 3}},
+            {"curves", {{{"markup", "c.mrk.json"}, {"depth_mm", 12}, {"straight", true}}}}}),
+      "/cases/case.json");
+  const CurveSettings& curve = curves.osteotomies[0].curves.at(0);
+  EXPECT_EQ(curve.markup.lexically_normal(), "/cases/c.mrk.json");
+  EXPECT_EQ(curve.depth_mm, 12);
+  EXPECT_EQ(curve.lead_mm, 5);
+  EXPECT_TRUE(curve.straight);
+  EXPECT_FALSE(curve.direction);
   refused(with("/osteotomies/0", {{"fragment", "x"}, {"planes", {"a.json"}}}),
           {"'/osteotomies/0'", "fragment_point_ras"});
   refused(with("/osteotomies/0", {{"planes", {"a.json"}}, {"fragment_point_ras", {1, 2, 3}}}),
           {"'/osteotomies/0'", "name"});
   refused(with("/osteotomies/0/template", "le-fort-9"),
           {"'/osteotomies/0'", "le-fort-9", "le-fort-1"});
+}
+
+TEST(CaseSettings, ProtectedStructuresAreACurveOrAMesh)
+{
+  const json nerve = {{"name", "nerve"}, {"curve", "n.mrk.json"}, {"margin_mm", 3}};
+  const CaseSettings s = parse_settings(with("/protected", json::array({nerve})), "/c/case.json");
+  EXPECT_EQ(s.protected_structures.at(0).margin_mm, 3);
+  EXPECT_EQ(s.protected_structures.at(0).curve.lexically_normal(), "/c/n.mrk.json");
+  json both = nerve;
+  both["mesh"] = "roots.vtp";
+  refused(with("/protected", json::array({both})), {"'/protected'", "'nerve'", "both"});
+}
+
+TEST(CaseSettings, SeriesAndGreyValuesAreRead)
+{
+  const CaseSettings s = parse_settings(with("/series", "2"), "/c/case.json");
+  EXPECT_EQ(s.reading.series, "2");
+  EXPECT_FALSE(s.reading.shifted_grey_values);
+  EXPECT_TRUE(
+      parse_settings(with("/grey_values", "cbct"), "/c/case.json").reading.shifted_grey_values);
 }
 
 TEST(CaseSettings, ExactlyOneTarget)

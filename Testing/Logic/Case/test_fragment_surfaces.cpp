@@ -1,5 +1,11 @@
 #include "Logic/Core/box_bone.hpp"
 
+#include "expect_error.hpp"
+
+#include <Bridge/vtk_surface.hpp>
+#include <Case/cut_surfaces.hpp>
+#include <Core/geometry/saw_blade.hpp>
+#include <Core/geometry/trimmed_cuts.hpp>
 #include <Meshing/isosurface.hpp>
 
 #include <gtest/gtest.h>
@@ -40,6 +46,65 @@ TEST(FragmentSurfaces, AreClosedAndFillTheBoneButForTheKerf)
     sum += check.volume_mm3;
   }
   EXPECT_NEAR(sum + 2 * 40 * 30 + 1.5 * section_mm2, 60 * 40 * 30, 0.015 * 60 * 40 * 30);
+}
+
+/// The block's own surface.
+TriangleMesh block_surface()
+{
+  BoundedPlane level;
+  level.half_u = testing::box_half.x();
+  level.half_v = testing::box_half.y();
+  return blade_of(level, 2 * testing::box_half.z());
+}
+
+TEST(CutSurfaces, FragmentsAndKerfAreTheBoneExactly)
+{
+  const ScalarGrid bone = testing::box_bone();
+  BonePartition partition = cut_bone(
+      bone, bone, {testing::cut_at(12, 25, "right", 1.5), testing::cut_at(-12, -25, "left", 0)});
+  partition.osteotomies = trimmed_cuts(partition);
+  const CutSurfaces cut = cut_surfaces(block_surface(), partition);
+  ASSERT_EQ(cut.parts.size(), 3U);
+  EXPECT_NEAR(cut.volume_mm3[0], (24 - 0.75 - 0.005) * 1200, 1);
+  EXPECT_NEAR(cut.volume_mm3[1], (18 - 0.75) * 1200, 1);
+  EXPECT_NEAR(cut.volume_mm3[2], (18 - 0.005) * 1200, 1) << "no kerf is cut with 0.01 mm";
+  EXPECT_LT(cut.imbalance, 1e-9);
+  for (const TriangleMesh& part : cut.parts)
+    EXPECT_TRUE(check_surface(to_polydata(part)).watertight());
+}
+
+TEST(CutSurfaces, PlanesAreTrimmedToTheBoneThatTheyPart)
+{
+  const ScalarGrid bone = testing::box_bone();
+  Osteotomy wide = testing::cut_at(5, 20);
+  wide.planes[0].half_u = 40;
+  BonePartition partition = cut_bone(bone, bone, {wide});
+  const BoundedPlane trimmed = trimmed_cuts(partition).at(0).planes.at(0);
+  EXPECT_NEAR(trimmed.half_u, 20 + 2, 0.6);
+  EXPECT_NEAR(trimmed.half_v, 15 + 2, 0.6);
+  EXPECT_NEAR(trimmed.center.x(), 5, 1e-12);
+}
+
+TEST(CutSurfaces, BridgeThatTheLatticeDoesNotSeeIsTold)
+{
+  // the plane ends 0.3 mm inside the block's side: between the last samples and the surface
+  const ScalarGrid bone = testing::box_bone();
+  Osteotomy narrow = testing::cut_at(5, 20);
+  narrow.planes[0].half_u = 19.7;
+  const BonePartition partition = cut_bone(bone, bone, {narrow});
+  test::expect_error([&] { (void)cut_surfaces(block_surface(), partition); },
+                     {"bridge of bone", "'end'", "enlarge the cut"});
+}
+
+TEST(SawClearance, IsMeasuredFromTheKerf)
+{
+  const std::vector<Osteotomy> cuts = {testing::cut_at(5, 20, "end", 2)};
+  const SawClearance beside = saw_clearance({{9, 0, 0}, {20, 0, 0}}, cuts);
+  EXPECT_NEAR(beside.distance_mm, 3, 1e-12);
+  EXPECT_EQ(beside.at, Vec3(9, 0, 0));
+  EXPECT_NE(beside.cut.find("'end'"), std::string::npos);
+  EXPECT_LT(saw_clearance({{5.5, 0, 0}}, cuts).distance_mm, 0);
+  EXPECT_NEAR(saw_clearance({{5, 32, 22}}, cuts).distance_mm, 3, 1e-12) << "beyond the blade's end";
 }
 
 } // namespace

@@ -1,0 +1,121 @@
+#include "Case/cut_surfaces.hpp"
+
+#include "Core/error.hpp"
+#include "Core/geometry/saw_blade.hpp"
+#include "Core/mesh/contact.hpp"
+#include "Meshing/saw_bone.hpp"
+#include "Meshing/surface_shells.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace f2b
+{
+namespace
+{
+
+std::vector<TriangleMesh> blades_of(const std::vector<Osteotomy>& osteotomies)
+{
+  std::vector<TriangleMesh> blades;
+  for (const Osteotomy& osteotomy : osteotomies)
+  {
+    for (const BoundedPlane& plane : osteotomy.planes)
+      blades.push_back(blade_of(plane, osteotomy.kerf_mm));
+    for (const SweptCurve& curve : osteotomy.curves)
+      blades.push_back(blade_of(curve, osteotomy.kerf_mm));
+  }
+  return blades;
+}
+
+/// How much of a shell's area lies on each part of the bone, and where.
+struct Shares
+{
+  std::vector<double> area;
+  std::vector<Vec3> place; ///< a triangle of it
+};
+
+/// The part just below a triangle.
+unsigned char part_below(const Vec3& middle, const Vec3& inwards, const LabelGrid& labels)
+{
+  const unsigned char label = labels.nearest(middle + 0.7 * labels.spacing * inwards);
+  return label != BonePartition::no_bone ? label : nearest_bone(labels, middle);
+}
+
+std::vector<Shares> shares_of(const SawnBone& sawn, const BonePartition& partition)
+{
+  const std::size_t parts = 1 + partition.osteotomies.size();
+  std::vector<Shares> shares(sawn.shell_volume.size(),
+                             {std::vector<double>(parts, 0), std::vector<Vec3>(parts)});
+  for (std::size_t t = 0; t < sawn.shell.size(); ++t)
+  {
+    const Triangle& corners = sawn.surface.triangles[t];
+    const Vec3 &a = sawn.surface.points[static_cast<std::size_t>(corners[0])],
+               &b = sawn.surface.points[static_cast<std::size_t>(corners[1])],
+               &c = sawn.surface.points[static_cast<std::size_t>(corners[2])];
+    const Vec3 outwards = (b - a).cross(c - a);
+    const double doubled = outwards.norm();
+    if (!(doubled > 0))
+      continue;
+    const Vec3 middle = (a + b + c) / 3;
+    const auto part = static_cast<std::size_t>(
+        part_below(middle, -outwards / doubled, partition.labels) - BonePartition::uncut);
+    Shares& s = shares[static_cast<std::size_t>(sawn.shell[t])];
+    s.area[part] += 0.5 * doubled;
+    s.place[part] = middle;
+  }
+  return shares;
+}
+
+std::string part_name(std::size_t part, const BonePartition& partition)
+{
+  return part == 0 ? std::string("the bone that stays")
+                   : "'" + partition.osteotomies[part - 1].fragment + "'";
+}
+
+/// The part that a shell belongs to; throws where two parts share it.
+std::size_t owner(const Shares& shares, const BonePartition& partition)
+{
+  const auto most = static_cast<std::size_t>(
+      std::max_element(shares.area.begin(), shares.area.end()) - shares.area.begin());
+  // walls of cavities and crumbs near a cut may be ascribed to the wrong side of it
+  constexpr double tolerated_mm2 = 60, tolerated_share = 0.05;
+  for (std::size_t part = 0; part < shares.area.size(); ++part)
+    if (part != most && shares.area[part] > tolerated_mm2 &&
+        shares.area[part] > tolerated_share * shares.area[most])
+    {
+      char place[64];
+      const Vec3& p = shares.place[part];
+      std::snprintf(place, sizeof place, "(%.0f, %.0f, %.0f)", p.x(), p.y(), p.z());
+      throw Error("cut",
+                  "a bridge of bone is left between " + part_name(most, partition) + " and " +
+                      part_name(part, partition) + ", which has its piece near RAS " + place,
+                  "enlarge the cut there, or widen its kerf");
+    }
+  return most;
+}
+
+} // namespace
+
+CutSurfaces cut_surfaces(const TriangleMesh& bone, const BonePartition& partition)
+{
+  const SawnBone sawn = saw_bone(bone, blades_of(partition.osteotomies));
+  std::vector<std::size_t> owners;
+  for (const Shares& shares : shares_of(sawn, partition))
+    owners.push_back(owner(shares, partition));
+  CutSurfaces result;
+  result.bone_mm3 = sawn.bone_mm3;
+  result.kerf_mm3 = sawn.kerf_mm3;
+  result.imbalance = sawn.imbalance();
+  for (std::size_t part = 0; part <= partition.osteotomies.size(); ++part)
+  {
+    std::vector<char> wanted;
+    for (const std::size_t of : owners)
+      wanted.push_back(of == part);
+    result.parts.push_back(shells_of(sawn, wanted));
+    result.volume_mm3.push_back(
+        result.parts.back().points.empty() ? 0 : signed_volume(result.parts.back()));
+  }
+  return result;
+}
+
+} // namespace f2b
