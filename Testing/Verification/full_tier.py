@@ -621,6 +621,130 @@ def experiments(tier, name):
 
 
 
+def segmented(tier, name, **settings):
+    """A case of Testing/Data segmented with settings of its own; its folder and the time it took."""
+    case = load(tier.real_case(name))
+    case["landmarks"] = str(cases / pathlib.Path(case["landmarks"]).name)
+    case["segmentation"] = {**case.get("segmentation", {}), **settings}
+    tag = name + "".join(f"-{key}-{value}" for key, value in settings.items())
+    file, folder = tier.work / f"{tag}-case.json", tier.work / f"{tag}-segmented"
+    file.write_text(json.dumps(case))
+    return folder, tier.run("segment", file, "-o", folder)
+
+
+def cut_rows(told, wanted_share):
+    met = told["met_bone"]
+    for refusal in told["refusals"]:
+        print("refused:", refusal, flush=True)
+    share = told["closed_and_balanced"] / met
+    return [("triangles", told["triangles"], "printed", True),
+            ("cuts that meet bone", met, "> 0", met > 0),
+            ("of these closed, volumes balanced", share, f">= {wanted_share}", share >= wanted_share),
+            ("planes refused", told["plane_refusals"], "0", told["plane_refusals"] == 0),
+            ("that made more pieces", told["made_more_pieces"], "> 0", told["made_more_pieces"] > 0),
+            ("largest imbalance of volume", told["worst_imbalance"], "< 0.001", told["worst_imbalance"] < 0.001),
+            ("mean time of a cut [s]", told["mean_s"], "printed", True)]
+
+
+def random_cuts(tier):
+    """Seeded random planes and curves, kerf 0 to 1 mm, every second pair ending inside bone, through a real skull."""
+    folder, _ = segmented(tier, "cthead_unc", spacing_mm=2 if tier.density else 1)
+    told = told_by(tier, "random_cuts", folder / "bone.vtp", 20 if tier.density else 500)
+    return cut_rows(told, 0.97) + [("longest cut [s]", told["longest_s"], "printed", True)]
+
+
+def big_cut(tier):
+    """The same skull with a million triangles."""
+    folder, seconds = segmented(tier, "cthead_unc", spacing_mm=0.7)
+    told = told_by(tier, "random_cuts", folder / "bone.vtp", 8, 7)
+    million = told["triangles"] >= 1e6
+    return [("a million triangles", int(million), "1", million), ("segmenting it [s]", seconds, "printed", True)] + \
+        cut_rows(told, 0.97) + [("longest cut [s]", told["longest_s"], "< 5", told["longest_s"] < 5)]
+
+
+def surfaces(tier):
+    """Surfaces of both real CTs: closed, free of crossings (CGAL), and where the CT has them."""
+    rows = []
+    for name in ("cthead_unc", "phantom_imagex"):
+        folder, _ = segmented(tier, name)
+        tier.run("cut", folder)
+        told = told_by(tier, "check_surfaces", folder)
+        parts = {"skin": told["skin"], "bone": told["bone"], "uncut bone": told["uncut_bone"], **told["fragments"]}
+        for part, facts in parts.items():
+            rows += [(f"{name}, {part}: {what.replace('_', ' ')}", facts[what], "0", facts[what] == 0)
+                     for what in ("open_edges", "non_manifold_edges", "crossing_triangles")]
+            rows.append((f"{name}, {part}: faces outwards", facts["volume_mm3"], "> 0", facts["volume_mm3"] > 0))
+        for part in ("skin", "bone"):
+            apart = told[part]["to_ct"]
+            rows += [(f"{name}, {part}: mean distance to the CT's isosurface [mm]", apart["mean_mm"], "< 0.2", apart["mean_mm"] < 0.2),
+                     (f"{name}, {part}: 95 % [mm]", apart["p95_mm"], "< 0.5", apart["p95_mm"] < 0.5),
+                     (f"{name}, {part}: left out, segmentation differs from the threshold", apart["left_out_share"], "printed", True)]
+        rows.append((f"{name}: fragments + kerf against bone", told["imbalance"], "< 0.001", told["imbalance"] < 0.001))
+    return rows
+
+
+def level_set(tier):
+    """A real CT made worse by blur and noise: bone by the level set against bone by the threshold."""
+    ct = tier.data / "cthead_unc" / "ct.nrrd"
+    if not ct.exists():
+        raise Missing(f"no {ct}: set FACETOBONE_DATA")
+    told = told_by(tier, "level_set", ct, 0.7, 150)
+    best = max(told["dice_threshold"], told["dice_automatic_threshold"])
+    return [("Dice, threshold of the clean CT", told["dice_threshold"], "printed", True),
+            ("Dice, automatic threshold", told["dice_automatic_threshold"], "printed", True),
+            ("Dice, level set", told["dice_level_set"], "> thresholds", told["dice_level_set"] > best)]
+
+
+FUZZ_PROGRAMS = ("fuzz_case_file", "fuzz_markups", "fuzz_surface", "fuzz_stress_strain")
+
+
+def fuzz(tier):
+    """Readers of ours against libFuzzer under ASan and UBSan, FACETOBONE_FUZZ_SECONDS each (60)."""
+    if not shutil.which("clang++"):
+        raise Missing("no clang++ for the preset fuzz")
+    source, build = here.parent.parent, tier.work / "fuzz-build"
+    seconds = os.environ.get("FACETOBONE_FUZZ_SECONDS", "60")
+    for command in (["cmake", "--preset", "fuzz", "-B", build], ["cmake", "--build", build, "--target", "fuzz_programs"]):
+        done = subprocess.run(command, cwd=source, capture_output=True, text=True)
+        if done.returncode:
+            raise RuntimeError(done.stdout[-400:] + done.stderr[-400:])
+    rows = []
+    for name in FUZZ_PROGRAMS:
+        corpus, findings = tier.work / f"{name}-corpus", tier.work / f"{name}-"
+        corpus.mkdir(exist_ok=True)
+        for seed in sorted(cases.glob("*.json")):
+            shutil.copy(seed, corpus)
+        done = subprocess.run([build / "Testing" / "Fuzz" / name, corpus, f"-max_total_time={seconds}", "-max_len=16384",
+                               "-detect_leaks=0", "-print_final_stats=1", f"-artifact_prefix={findings}"],
+                              capture_output=True, text=True)
+        runs = re.search(r"number_of_executed_units: (\d+)", done.stderr)
+        rows += [(f"{name}: exit", done.returncode, "0", done.returncode == 0),
+                 (f"{name}: inputs tried", int(runs[1]) if runs else 0, "> 1000", bool(runs) and int(runs[1]) > 1000)]
+    return rows
+
+
+def mesh_growth(tier):
+    """Time of the volume mesh against its number of tetrahedra, 30 thousand to a million."""
+    folder, _ = segmented(tier, "cthead_unc")
+    tier.run("cut", folder)
+    case = load(folder / "case.json")
+    rows, points = [], []
+    for density in (0.25, 1, 3, 8):
+        case["mesh"] = {**case.get("mesh", {}), "density": density}
+        (folder / "case.json").write_text(json.dumps(case))
+        tier.run("mesh", folder)
+        told = load(folder / "mesh.json")
+        points.append((told["tets"], told["seconds"]))
+        histogram = told["dihedral_histogram"]
+        rows += [(f"{told['tets']} tetrahedra: time [s]", told["seconds"], "printed", True),
+                 (f"{told['tets']} tetrahedra: share below 10 degrees", histogram["share_below_10_deg"], "printed", True),
+                 (f"{told['tets']} tetrahedra: smallest dihedral angle [deg]", told["min_dihedral_deg"], ">= 8", told["min_dihedral_deg"] >= 8),
+                 (f"{told['tets']} tetrahedra: inverted", told["inverted_elements"], "0", told["inverted_elements"] == 0)]
+    (n, t), (m, u) = points[0], points[-1]
+    exponent = math.log(u / t) / math.log(m / n)
+    return rows + [("time grows with this power of the number", exponent, "<= 1.2", exponent <= 1.2)]
+
+
 CHECKS = {
     "cthead_unc": lambda tier: real_ct(tier, "cthead_unc"),
     "phantom_imagex": lambda tier: real_ct(tier, "phantom_imagex"),
@@ -636,6 +760,12 @@ CHECKS = {
     "plan_time": plan_time,
     "mtm_lfem": mtm_lfem,
     "calculix": calculix,
+    "random_cuts": random_cuts,
+    "big_cut": big_cut,
+    "surfaces": surfaces,
+    "mesh_growth": mesh_growth,
+    "level_set": level_set,
+    "fuzz": fuzz,
     "benchmarks": benchmarks,
     "scenes": scenes,
     "sanitizers": sanitizers,
