@@ -278,6 +278,8 @@ void write_vtp(const std::filesystem::path& path, vtkPolyData* in_lps)
   space->SetName(space_key);
   space->InsertNextValue("LPS");
   in_lps->GetFieldData()->AddArray(space);
+  // of a surface's arrays Slicer turns the active vectors alone between LPS and RAS
+  in_lps->GetPointData()->SetActiveVectors("displacement");
   const VtkMessages messages;
   vtkNew<vtkXMLPolyDataWriter> writer;
   writer->SetFileName(path.c_str());

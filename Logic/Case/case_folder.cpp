@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <fstream>
 #include <map>
+#include <set>
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -134,10 +135,16 @@ const std::vector<std::string>& outdated_by(const std::string& step)
   return table.at(step);
 }
 
+/// Whether a file is no step's own: each writes it anew, none makes it stale.
+bool stays_with_the_case(const std::string& name)
+{
+  return name == case_settings_name || name == case_scene_name;
+}
+
 /// Whether a step made a file, or a step whose results it outdates.
 bool may_replace(const Ledger& ledger, const std::string& name, const std::string& step)
 {
-  if (name == case_settings_name)
+  if (stays_with_the_case(name))
     return step == "sample" ? ledger.count("sample") > 0 : ledger.size() > ledger.count("sample");
   for (const std::string& outdated : outdated_by(step))
     if (const auto made = ledger.find(outdated); made != ledger.end() && holds(made->second, name))
@@ -248,6 +255,7 @@ void CaseFolder::require_replaceable(const std::vector<std::string>& names,
 const std::vector<std::string>& case_file_names()
 {
   static const std::vector<std::string> names = {case_settings_name,
+                                                 case_scene_name,
                                                  "segment.json",
                                                  "ct.nrrd",
                                                  "labels.nrrd",
@@ -281,6 +289,16 @@ const std::vector<std::string>& case_file_names()
   return names;
 }
 
+bool CaseOutlook::has(const std::string& name) const
+{
+  return std::binary_search(names.begin(), names.end(), name);
+}
+
+Path CaseOutlook::file(const std::string& name) const
+{
+  return fs::exists(staging / name) ? staging / name : folder / name;
+}
+
 CaseChange::CaseChange(CaseFolder& folder) : m_case(folder), m_staging(folder.path() / staging_name)
 {
   std::error_code failed;
@@ -304,9 +322,26 @@ Path CaseChange::file(const std::string& name) const
   return path;
 }
 
+CaseOutlook committed_files(const Path& folder)
+{
+  return {folder, folder, files_below(folder)};
+}
+
+CaseOutlook CaseChange::outlook(const std::vector<std::string>& remove) const
+{
+  std::set<std::string> names;
+  for (const Path& folder : {m_case.path(), m_staging})
+    for (std::string& name : files_below(folder))
+      if (name.rfind(staging_name, 0) != 0)
+        names.insert(std::move(name));
+  for (const std::string& name : remove)
+    names.erase(name);
+  return {m_case.path(), m_staging, {names.begin(), names.end()}};
+}
+
 void CaseChange::commit(const std::string& step)
 {
-  const std::vector<std::string> install = files_below(m_staging);
+  std::vector<std::string> install = files_below(m_staging);
   m_case.require_replaceable(install, step);
   Ledger ledger = read_ledger(m_case.path());
   std::vector<std::string> remove;
@@ -317,12 +352,18 @@ void CaseChange::commit(const std::string& step)
         remove.push_back(name);
     ledger.erase(outdated);
   }
+  if (m_case.m_hook)
+  {
+    m_case.m_hook(outlook(remove));
+    install = files_below(m_staging);
+    m_case.require_replaceable(install, step);
+  }
   // a whole case that was made aside brings its own ledger
   if (const Ledger made_aside = read_ledger(m_staging); !made_aside.empty())
     ledger = made_aside;
   else
     for (const std::string& name : install)
-      if (name != case_settings_name) // stays, whichever step is done anew
+      if (!stays_with_the_case(name))
         ledger[step].push_back(name);
   for (const std::string& name : install)
     flush_to_disk(m_staging / name);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -10,11 +11,28 @@ namespace f2b
 
 using Path = std::filesystem::path;
 
+/// What a case will hold once a change is committed.
+struct CaseOutlook
+{
+  Path folder;                    ///< of the case
+  Path staging;                   ///< where the change's own files are until then
+  std::vector<std::string> names; ///< of all files, sorted
+
+  bool has(const std::string& name) const;
+  /// Where a file can be read before the commit.
+  Path file(const std::string& name) const;
+};
+
+/// Adds files to a change that is about to be committed, such as one that lists all others, in
+/// the staging folder. May be called from any thread.
+using CommitHook = std::function<void(const CaseOutlook&)>;
+
 /// A folder of standard files that holds one case. Names of its files:
 ///
 /// - segment: case.json segment.json ct.nrrd labels.nrrd {skin,bone,closed_bone}_distance.nrrd
 ///   skin.vtp skin.ply bone.vtp landmarks.mrk.json
-/// - cut: cut.json cuts.mrk.json bone_parts.nrrd uncut_bone.vtp fragment_NAME.vtp
+/// - cut: cut.json cuts.mrk.json cut_NAME_N.mrk.json bone_parts.nrrd uncut_bone.vtp
+///   fragment_NAME.vtp
 /// - mesh: mesh.json mesh.vtu
 /// - target: target.json target.vtp target_scan.vtp
 /// - suggest: suggest.json
@@ -23,6 +41,7 @@ using Path = std::filesystem::path;
 /// - export: export.inp export.feb export.vtu print/*.stl print/*.ply, each a step of its own
 /// - evaluate: evaluation/
 /// - report: report.html report.pdf report.json pictures/ tables/
+/// - every step: case.mrml, where a hook writes it
 ///
 /// One process works on a case at a time: the folder is locked while it is open.
 class CaseFolder
@@ -45,6 +64,9 @@ public:
   /// the user's own, or that of a sample.
   void require_replaceable(const std::vector<std::string>& names, const std::string& step) const;
 
+  /// Called at each commit.
+  void set_commit_hook(CommitHook hook) { m_hook = std::move(hook); }
+
 private:
   friend class CaseChange;
 
@@ -62,6 +84,7 @@ private:
   MadeFolders m_made;
   Path m_folder;
   int m_lock = -1; ///< the folder itself, open
+  CommitHook m_hook;
 };
 
 /// New files for a case, all of which appear when `commit` is called, or none.
@@ -84,14 +107,21 @@ public:
   void commit(const std::string& step);
 
 private:
+  CaseOutlook outlook(const std::vector<std::string>& remove) const;
+
   CaseFolder& m_case;
   Path m_staging;
 };
+
+/// What a case folder holds now.
+CaseOutlook committed_files(const Path& folder);
 
 /// The names of the table that depend on no fragment and no method.
 const std::vector<std::string>& case_file_names();
 
 /// The settings that the case was made from, with absolute paths.
 inline constexpr const char* case_settings_name = "case.json";
+/// The scene that shows the case in 3D Slicer.
+inline constexpr const char* case_scene_name = "case.mrml";
 
 } // namespace f2b

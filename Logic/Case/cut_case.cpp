@@ -135,6 +135,9 @@ void cut_case(CaseSession& session)
     fragments.push_back(
         write_fragment(change, osteotomies[f], cut.parts[f + 1], cut.volume_mm3[f + 1]));
     planes.insert(planes.end(), osteotomies[f].planes.begin(), osteotomies[f].planes.end());
+    for (std::size_t p = 0; p < osteotomies[f].planes.size(); ++p) // Slicer edits one markup a file
+      write_planes(change.file(cut_plane_file(osteotomies[f].fragment, p)),
+                   {osteotomies[f].planes[p]});
   }
   write_surface(change.file("uncut_bone.vtp"), with_normals(to_polydata(cut.parts[0])));
   write_planes(change.file("cuts.mrk.json"), planes);

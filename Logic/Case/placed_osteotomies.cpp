@@ -63,4 +63,9 @@ std::vector<Osteotomy> placed_osteotomies(const CaseFolder& folder)
   return osteotomies;
 }
 
+std::string cut_plane_file(const std::string& fragment, std::size_t plane)
+{
+  return "cut_" + file_part(fragment) + "_" + std::to_string(plane + 1) + ".mrk.json";
+}
+
 } // namespace f2b

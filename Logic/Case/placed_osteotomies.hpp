@@ -15,4 +15,7 @@ nlohmann::json to_json(const SweptCurve& curve);
 /// In the order of the fragments. Throws Error where the case has not been cut.
 std::vector<Osteotomy> placed_osteotomies(const CaseFolder& folder);
 
+/// The file of one of a fragment's planes, counted from 0.
+std::string cut_plane_file(const std::string& fragment, std::size_t plane);
+
 } // namespace f2b

@@ -31,7 +31,7 @@ void tell_total_time(const Path& plan_file, double report_seconds, double total_
 } // namespace
 
 void run_case(const nlohmann::json& document, const Path& source, const Path& folder,
-              const Progress& progress)
+              const Progress& progress, const CommitHook& hook)
 {
   static const Step steps[] = {{segment_case, 0, 0.12}, {cut_case, 0.12, 0.15},
                                {mesh_case, 0.15, 0.3},  {target_case, 0.3, 0.4},
@@ -39,6 +39,7 @@ void run_case(const nlohmann::json& document, const Path& source, const Path& fo
   const Stopwatch watch;
   require_inputs_elsewhere(parse_settings(document, source), folder);
   CaseFolder destination(folder);
+  destination.set_commit_hook(hook);
   destination.require_replaceable(case_file_names(), "segment");
   CaseChange change(destination);
   {

@@ -1,4 +1,5 @@
 #include "Bridge/json_file.hpp"
+#include "Bridge/point_labels.hpp"
 #include "Bridge/scan_surface.hpp"
 #include "Case/plan_target.hpp"
 #include "Case/verbs.hpp"
@@ -43,9 +44,9 @@ bool same_triangles(const TriangleMesh& a, const TriangleMesh& b)
 }
 
 /// The edited reference skin, if it is one.
-TriangleMesh edited_skin(const Path& path, const TriangleMesh& reference)
+TriangleMesh edited_skin(const Path& path, vtkPolyData* surface, const TriangleMesh& reference)
 {
-  const TriangleMesh edited = to_triangle_mesh(read_surface(path));
+  const TriangleMesh edited = to_triangle_mesh(surface);
   if (edited.points.size() != reference.points.size())
     throw Error(path.string(),
                 "it has " + std::to_string(edited.points.size()) +
@@ -57,9 +58,14 @@ TriangleMesh edited_skin(const Path& path, const TriangleMesh& reference)
   return edited;
 }
 
-std::vector<Vec3> from_mesh(const Path& path, const TriangleMesh& reference)
+/// The moved vertices, and what of them counts where the file says so.
+SkinTarget from_mesh(const Path& path, const TriangleMesh& reference)
 {
-  std::vector<Vec3> displacement = edited_skin(path, reference).points;
+  const vtkSmartPointer<vtkPolyData> surface = read_surface(path);
+  std::vector<Vec3> displacement = edited_skin(path, surface, reference).points;
+  std::vector<double> weight(displacement.size(), 1.0);
+  if (has_point_array(surface, "weight"))
+    weight = point_scalars(surface, "weight");
   double longest = 0;
   for (std::size_t v = 0; v < displacement.size(); ++v)
   {
@@ -70,7 +76,7 @@ std::vector<Vec3> from_mesh(const Path& path, const TriangleMesh& reference)
     throw Error(
         path.string(), "it lies up to " + millimetres(longest) + " from the reference skin",
         "keep vertex order and frame of skin.vtp: LPS, or RAS with SPACE=RAS said in the file");
-  return displacement;
+  return {displacement, weight, {}};
 }
 
 std::vector<Vec3> from_warp(const TargetSettings& target, const TriangleMesh& reference)
@@ -139,7 +145,7 @@ void target_case(CaseSession& session)
                                                  : "from_movement";
   SkinTarget made{{}, std::vector<double>(reference.points.size(), 1.0), {}};
   if (!target.mesh.empty())
-    made.displacement = from_mesh(target.mesh, reference);
+    made = from_mesh(target.mesh, reference);
   else if (!target.scan.empty())
     made = from_scan(target, reference);
   else if (!target.warp_from.empty())

@@ -76,7 +76,7 @@ void evaluate_case(CaseSession& session, const EvaluateOptions& options);
 
 /// All of them into a folder; what the folder held before stays until everything is done.
 void run_case(const nlohmann::json& document, const Path& source, const Path& folder,
-              const Progress& progress);
+              const Progress& progress, const CommitHook& hook = {});
 
 struct SampleOptions
 {
