@@ -177,6 +177,18 @@ bool vtkMRMLFaceToBoneOsteotomyNode::SetNthFragmentName(int n, const std::string
   return true;
 }
 
+void vtkMRMLFaceToBoneOsteotomyNode::SortFragments(const std::vector<std::string>& names)
+{
+  auto rank = [&](const vtkMRMLFaceToBoneFragment& fragment)
+  { return std::find(names.begin(), names.end(), fragment.Name) - names.begin(); };
+  auto before = [&](const vtkMRMLFaceToBoneFragment& a, const vtkMRMLFaceToBoneFragment& b)
+  { return rank(a) < rank(b); };
+  if (std::is_sorted(this->Fragments.begin(), this->Fragments.end(), before))
+    return;
+  std::stable_sort(this->Fragments.begin(), this->Fragments.end(), before);
+  this->Modified();
+}
+
 void vtkMRMLFaceToBoneOsteotomyNode::MoveReferences(const std::string& from, const std::string& to)
 {
   for (const char* role : {CutPlanesRole, RestFragmentRole})

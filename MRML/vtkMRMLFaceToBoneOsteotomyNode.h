@@ -54,6 +54,8 @@ public:
   bool SetNthFragmentName(int n, const std::string& name);
   /// -1 if there is none.
   int GetFragmentIndex(const std::string& name);
+  /// Puts the fragments in the order of their names here; others follow as they were.
+  void SortFragments(const std::vector<std::string>& names);
 
   /// le-fort-1, le-fort-3, ...; empty: cut by planes.
   void SetNthFragmentTemplate(int n, const std::string& name);

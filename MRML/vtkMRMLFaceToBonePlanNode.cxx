@@ -21,8 +21,9 @@ vtkMRMLNodeNewMacro(vtkMRMLFaceToBonePlanNode);
 vtkMRMLFaceToBonePlanNode::vtkMRMLFaceToBonePlanNode()
 {
   this->HideFromEditors = 0;
-  for (const char* role : {InputVolumeRole, LabelsRole, SkinRole, BoneRole, MeshRole, LandmarksRole,
-                           TargetRole, OsteotomyRole, StatedPredictionRole})
+  for (const char* role :
+       {InputVolumeRole, CaseVolumeRole, LabelsRole, SkinRole, BoneRole, MeshRole, LandmarksRole,
+        TargetRole, OsteotomyRole, StatedPredictionRole})
     this->AddNodeReferenceRole(role);
   this->AddNodeReferenceRole(StatedFragmentRole, "StatedFragmentRef");
   for (const std::string prefix : MethodPrefixes)
@@ -71,6 +72,10 @@ void vtkMRMLFaceToBonePlanNode::ReadOptions(const char** atts)
   vtkMRMLReadXMLFloatMacro(stepToleranceMm, StepToleranceMm);
   vtkMRMLReadXMLIntMacro(maxFitIterations, MaxFitIterations);
   vtkMRMLReadXMLStdStringMacro(predictModel, PredictModel);
+  vtkMRMLReadXMLBooleanMacro(suggestConfirm, SuggestConfirm);
+  vtkMRMLReadXMLFloatMacro(suggestDensity, SuggestDensity);
+  vtkMRMLReadXMLStdStringMacro(reportTextsFileName, ReportTextsFileName);
+  vtkMRMLReadXMLBooleanMacro(reportIdentity, ReportIdentity);
   vtkMRMLReadXMLFloatMacro(forceStiffness, ForceStiffness);
   vtkMRMLReadXMLBooleanMacro(forceStiffnessAutomatic, ForceStiffnessAutomatic);
   vtkMRMLReadXMLFloatMacro(forceResidualMm, ForceResidualMm);
@@ -149,6 +154,10 @@ void vtkMRMLFaceToBonePlanNode::WriteOptions(ostream& of)
   vtkMRMLFaceToBoneWriteXMLExactMacro(stepToleranceMm, StepToleranceMm);
   vtkMRMLWriteXMLIntMacro(maxFitIterations, MaxFitIterations);
   vtkMRMLWriteXMLStdStringMacro(predictModel, PredictModel);
+  vtkMRMLWriteXMLBooleanMacro(suggestConfirm, SuggestConfirm);
+  vtkMRMLFaceToBoneWriteXMLExactMacro(suggestDensity, SuggestDensity);
+  vtkMRMLWriteXMLStdStringMacro(reportTextsFileName, ReportTextsFileName);
+  vtkMRMLWriteXMLBooleanMacro(reportIdentity, ReportIdentity);
   vtkMRMLFaceToBoneWriteXMLExactMacro(forceStiffness, ForceStiffness);
   vtkMRMLWriteXMLBooleanMacro(forceStiffnessAutomatic, ForceStiffnessAutomatic);
   vtkMRMLFaceToBoneWriteXMLExactMacro(forceResidualMm, ForceResidualMm);
@@ -245,6 +254,10 @@ void vtkMRMLFaceToBonePlanNode::CopyContent(vtkMRMLNode* anode, bool deepCopy)
   this->StepToleranceMm = node->StepToleranceMm;
   this->MaxFitIterations = node->MaxFitIterations;
   this->PredictModel = node->PredictModel;
+  this->SuggestConfirm = node->SuggestConfirm;
+  this->SuggestDensity = node->SuggestDensity;
+  this->ReportTextsFileName = node->ReportTextsFileName;
+  this->ReportIdentity = node->ReportIdentity;
   this->ForceStiffness = node->ForceStiffness;
   this->ForceStiffnessAutomatic = node->ForceStiffnessAutomatic;
   this->ForceResidualMm = node->ForceResidualMm;

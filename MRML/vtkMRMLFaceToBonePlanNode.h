@@ -38,7 +38,8 @@ public:
 
   // --- What it is made from and what was made, by reference role
 
-  static constexpr const char* InputVolumeRole = "inputVolume";
+  static constexpr const char* InputVolumeRole = "inputVolume"; ///< the CT to segment
+  static constexpr const char* CaseVolumeRole = "caseVolume";   ///< the CT on the case's grid
   static constexpr const char* LabelsRole = "labels"; ///< labelmap: air, skin, fat, muscle, bone
   static constexpr const char* SkinRole = "skin";     ///< the reference skin
   static constexpr const char* BoneRole = "bone";
@@ -146,6 +147,21 @@ public:
   /// lfem, mtm, nfem or nfm-em.
   vtkSetMacro(PredictModel, std::string);
   vtkGetMacro(PredictModel, std::string);
+
+  /// Also plan the best two suggestions fully; the density of the mesh they are computed on, 0: the
+  /// case's own, but 0.3 at most.
+  vtkSetMacro(SuggestConfirm, bool);
+  vtkGetMacro(SuggestConfirm, bool);
+  vtkBooleanMacro(SuggestConfirm, bool);
+  vtkSetMacro(SuggestDensity, double);
+  vtkGetMacro(SuggestDensity, double);
+
+  /// A translation of the report's texts, empty: English; whether it tells where the scan lies.
+  vtkSetMacro(ReportTextsFileName, std::string);
+  vtkGetMacro(ReportTextsFileName, std::string);
+  vtkSetMacro(ReportIdentity, bool);
+  vtkGetMacro(ReportIdentity, bool);
+  vtkBooleanMacro(ReportIdentity, bool);
 
   /// The paper's method: K_e, or as stiff as the residual needs.
   vtkSetMacro(ForceStiffness, double);
@@ -272,6 +288,10 @@ protected:
   int Threads = 0, MaxNewtonIterations = 25, MaxFitIterations = 40;
   double StepToleranceMm = 1e-8;
   std::string PredictModel = "nfm-em";
+  bool SuggestConfirm = false;
+  double SuggestDensity = 0;
+  std::string ReportTextsFileName;
+  bool ReportIdentity = false;
   double ForceStiffness = 0.02, ForceResidualMm = 0.5, ForceRestLengthMm = 0;
   bool ForceStiffnessAutomatic = false;
   std::string ForceLoad = "following";

@@ -63,6 +63,10 @@ inline void fill_options(vtkMRMLFaceToBonePlanNode* plan)
   plan->SetStepToleranceMm(1.2345678901234567e-9);
   plan->SetMaxFitIterations(41);
   plan->SetPredictModel("lfem");
+  plan->SetSuggestConfirm(true);
+  plan->SetSuggestDensity(0.1);
+  plan->SetReportTextsFileName("de.json");
+  plan->SetReportIdentity(true);
   plan->SetForceStiffness(0.030000000000000002);
   plan->SetForceStiffnessAutomatic(true);
   plan->SetForceResidualMm(0.6);
