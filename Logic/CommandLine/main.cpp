@@ -3,12 +3,18 @@
 #include "Case/fit_summary.hpp"
 #include "Case/print_case.hpp"
 #include "Case/verbs.hpp"
+#include "CommandLine/case_client.hpp"
 #include "CommandLine/plan_table.hpp"
 #include "CommandLine/progress_bar.hpp"
 #include "CommandLine/screenshot_arguments.hpp"
 #include "CommandLine/stated_movement.hpp"
 #include "CommandLine/suggestion_table.hpp"
 #include "Core/error.hpp"
+#include "Scene/movement_text.hpp"
+
+#include <vtkMRMLFaceToBonePlanNode.h>
+#include <vtkMRMLFaceToBoneTargetNode.h>
+#include <vtkSlicerFaceToBoneLogic.h>
 
 #include <CLI/CLI.hpp>
 
@@ -69,86 +75,118 @@ void print_prediction(const Path& folder)
     std::cout << "Warning: " << warning.get<std::string>() << "\n";
 }
 
-nlohmann::json case_document(const Arguments& a)
+using Plan = vtkMRMLFaceToBonePlanNode;
+using Target = vtkMRMLFaceToBoneTargetNode;
+
+/// The plan of a case file, with the DICOM series that the command line chooses.
+Plan* begun(CaseClient& client, const Arguments& a)
 {
-  nlohmann::json document = read_json(a.case_file);
-  if (!a.series.empty() && document.is_object())
-    document["series"] = a.series;
-  return document;
+  Plan* plan = client.begin(a.case_file, a.folder);
+  if (!a.series.empty())
+  {
+    nlohmann::json other = nlohmann::json::parse(plan->GetOtherSettings(), nullptr, false);
+    if (!other.is_object())
+      other = nlohmann::json::object();
+    other["series"] = a.series;
+    plan->SetOtherSettings(other.dump());
+  }
+  return plan;
 }
 
 void run(const Arguments& a, const Progress& progress)
 {
-  run_case(case_document(a), a.case_file, a.folder, progress);
+  CaseClient client(progress);
+  client.require(client.logic()->Run(begun(client, a)));
 }
 
 void segment(const Arguments& a, const Progress& progress)
 {
-  const nlohmann::json document = case_document(a);
-  require_inputs_elsewhere(parse_settings(document, a.case_file), a.folder);
-  CaseSession session(a.folder, document, a.case_file, progress);
-  segment_case(session);
+  CaseClient client(progress);
+  client.require(client.logic()->Segment(begun(client, a)));
 }
 
 void cut(const Arguments& a, const Progress& progress)
 {
-  CaseSession session = CaseSession::open(a.folder, progress);
-  cut_case(session);
-  const nlohmann::json told = read_json(session.folder.file("cut.json"));
+  CaseClient client(progress);
+  client.require(client.logic()->Cut(client.open(a.folder)));
+  const nlohmann::json told = read_json(Path(a.folder) / "cut.json");
   for (const nlohmann::json& note : told.at("notes"))
     std::cout << note.get<std::string>() << "\n";
 }
 
-/// Says where a setting comes from; relative paths in it start from where the user stands.
-constexpr const char* from_arguments = "command line";
-
-// Settings that the command line changes become part of the case.
+// Settings that the command line changes become part of the case; relative paths in them start
+// from where the user stands.
 
 void target(const Arguments& a, const Progress& progress)
 {
-  CaseSession session = CaseSession::open(a.folder, progress);
-  nlohmann::json document = session.document;
-  nlohmann::json& target = document["target"];
-  const bool warp = !a.warp_from.empty() || !a.warp_to.empty();
-  if (!a.target_mesh.empty() || !a.scan.empty() || warp || !a.movements.empty())
-    for (const char* kind : {"mesh", "scan", "warp", "from_movement"})
-      target.erase(kind);
+  const auto kinds =
+      !a.warp_from.empty() + !a.scan.empty() + !a.target_mesh.empty() + !a.movements.empty();
+  if (kinds > 1)
+    throw Error("command line",
+                "'/target' has " + std::to_string(kinds) + " of mesh, scan, warp and from_movement",
+                "give exactly one of them");
+  CaseClient client(progress);
+  Plan* plan = client.open(a.folder);
+  Target* target = plan->GetTargetNode();
+  if (!a.warp_from.empty())
+  {
+    target->SetKind(Target::Warp);
+    target->SetWarpFromFileName(a.warp_from);
+    target->SetWarpToFileName(a.warp_to);
+    target->SetWarpRadiusMm(a.warp_radius_mm);
+  }
   if (!a.scan.empty())
-    target["scan"] = {{"mesh", a.scan}};
+  {
+    target->SetKind(Target::Scan);
+    target->SetScanFileName(a.scan);
+  }
   if (!a.target_mesh.empty())
-    target["mesh"] = a.target_mesh;
-  if (warp)
-    target["warp"] = {{"from", a.warp_from}, {"to", a.warp_to}, {"radius_mm", a.warp_radius_mm}};
+  {
+    target->SetKind(Target::Mesh);
+    target->SetMeshFileName(a.target_mesh);
+  }
   if (!a.movements.empty())
-    target["from_movement"] = movements_from_arguments(a.movements);
-  session.change_settings(document, from_arguments);
-  target_case(session);
+  {
+    target->SetKind(Target::Movement);
+    target->RemoveMovements();
+    for (const StatedArgument& m : movements_from_arguments(a.movements))
+      target->SetMovement(m.fragment, m.coordinates.data());
+  }
+  client.require(client.logic()->Target(plan));
+}
+
+void state_movements(Plan* plan, const std::vector<std::string>& arguments)
+{
+  if (arguments.empty())
+    return;
+  plan->RemoveStatedMovements();
+  for (const StatedArgument& m : movements_from_arguments(arguments))
+    plan->SetStatedMovement(m.fragment, m.coordinates.data());
 }
 
 void predict(const Arguments& a, const Progress& progress)
 {
-  CaseSession session = CaseSession::open(a.folder, progress);
-  nlohmann::json document = session.document;
-  if (!a.movements.empty())
-    document["predict"] = movements_from_arguments(a.movements);
+  CaseClient client(progress);
+  Plan* plan = client.open(a.folder);
+  state_movements(plan, a.movements);
   if (!a.model.empty())
-    document["solver"]["predict_model"] = a.model;
-  session.change_settings(document, from_arguments);
-  predict_case(session);
+    plan->SetPredictModel(a.model);
+  client.require(client.logic()->Predict(plan));
 }
 
 /// Leaves the case's own movement as it is: the deck states its own.
 void export_deck(const Arguments& a, const Progress& progress)
 {
-  CaseSession session = CaseSession::open(a.folder, progress);
-  nlohmann::json document = session.document;
-  if (!a.movements.empty())
-    document["predict"] = movements_from_arguments(a.movements);
-  session.change_settings(document, from_arguments);
   if (a.exported.format == "stl" || a.exported.format == "ply")
-    export_fragments(session, a.exported.format, a.exported.file);
-  else
-    export_case(session, a.exported);
+  {
+    CaseSession session = CaseSession::open(a.folder, progress);
+    return export_fragments(session, a.exported.format, a.exported.file);
+  }
+  CaseClient client(progress);
+  Plan* plan = client.open(a.folder);
+  state_movements(plan, a.movements);
+  client.require(client.logic()->Export(plan, a.exported.format, a.exported.file.string(),
+                                        a.exported.split_prisms, a.exported.increments));
 }
 
 void add_screenshot(CLI::App& app, Arguments& a, std::map<CLI::App*, Action>& actions)
@@ -297,8 +335,11 @@ void add_suggest(CLI::App& app, Arguments& a, std::map<CLI::App*, Action>& actio
       ->check(within(0.02, 8));
   actions[verb] = [](const Arguments& args, const Progress& progress)
   {
-    CaseSession session = CaseSession::open(args.folder, progress);
-    suggest_case(session, args.suggested);
+    CaseClient client(progress);
+    Plan* plan = client.open(args.folder);
+    plan->SetSuggestConfirm(args.suggested.confirm);
+    plan->SetSuggestDensity(args.suggested.density.value_or(0));
+    client.require(client.logic()->Suggest(plan));
   };
 }
 
@@ -311,8 +352,11 @@ void add_report(CLI::App& app, Arguments& a, std::map<CLI::App*, Action>& action
                  "Also tell the scan's folder and the case's notes, which may name the patient");
   actions[verb] = [](const Arguments& args, const Progress& progress)
   {
-    CaseSession session = CaseSession::open(args.folder, progress);
-    report_case(session, args.report);
+    CaseClient client(progress);
+    Plan* plan = client.open(args.folder);
+    plan->SetReportTextsFileName(args.report.texts.string());
+    plan->SetReportIdentity(args.report.identity);
+    client.require(client.logic()->Report(plan));
   };
 }
 
@@ -323,8 +367,10 @@ void evaluate(const Arguments& a, const Progress& progress)
   if (!a.movements.empty())
   {
     nlohmann::json document = session.document;
-    document["predict"] = movements_from_arguments(a.movements);
-    options.movements = parse_settings(document, from_arguments).predict;
+    document.erase("predict");
+    for (const StatedArgument& m : movements_from_arguments(a.movements))
+      document["predict"][m.fragment] = to_movement_json(m.coordinates);
+    options.movements = parse_settings(document, "command line").predict;
   }
   if (!a.box_ras.empty())
     options.box_ras =
@@ -365,12 +411,13 @@ void add_evaluate(CLI::App& app, Arguments& a, std::map<CLI::App*, Action>& acti
   actions[verb] = evaluate;
 }
 
-Action on_case(void (*verb)(CaseSession&))
+Action on_case(bool (vtkSlicerFaceToBoneLogic::*step)(Plan*))
 {
-  return [verb](const Arguments& a, const Progress& progress)
+  return [step](const Arguments& a, const Progress& progress)
   {
-    CaseSession session = CaseSession::open(a.folder, progress);
-    verb(session);
+    CaseClient client(progress);
+    Plan* plan = client.open(a.folder);
+    client.require((client.logic()->*step)(plan));
   };
 }
 
@@ -384,7 +431,7 @@ std::map<CLI::App*, Action> add_verbs(CLI::App& app, Arguments& a)
       segment;
   actions[add_verb(app, a, "cut", "Cut the bone into fragments")] = cut;
   actions[add_verb(app, a, "mesh", "Mesh skin and soft tissue between face and bone")] =
-      on_case(mesh_case);
+      on_case(&vtkSlicerFaceToBoneLogic::Mesh);
   CLI::App* target_verb = add_movements(add_verb(app, a, "target", "Make the target face"), a);
   target_verb->add_option("--mesh", a.target_mesh,
                           "The exported skin.vtp after editing (.vtp, .ply, .obj)");
@@ -399,7 +446,7 @@ std::map<CLI::App*, Action> add_verbs(CLI::App& app, Arguments& a)
   actions[target_verb] = target;
   add_suggest(app, a, actions);
   actions[add_verb(app, a, "plan", "Find the bone movements that give the target face")] =
-      on_case(plan_case);
+      on_case(&vtkSlicerFaceToBoneLogic::Plan);
   CLI::App* predict_verb =
       add_movements(add_verb(app, a, "predict", "Predict the face that a bone movement gives"), a);
   predict_verb->add_option("--model", a.model,
@@ -450,6 +497,10 @@ int perform(const std::string& verb, const Action& action, const Arguments& a)
     if (verb == "evaluate")
       std::cout << evaluation_text(read_json(Path(a.folder) / "evaluation/evaluation.json"));
     return ok;
+  }
+  catch (const StepFailure& failure)
+  {
+    return report_failure(failure.what(), failure.code());
   }
   catch (const Error& error)
   {

@@ -11,22 +11,25 @@ ROOMS = {
     "Bridge": {"Core", "Bridge"},
     "Rendering": {"Core", "Rendering"},
     "Case": {"Core", "Imaging", "Meshing", "Bridge", "Rendering", "Case"},
-    "CommandLine": {"Core", "Bridge", "Rendering", "Case", "CommandLine"},
+    "Scene": {"Core", "Bridge", "Case", "Scene"},
+    "CommandLine": {"Core", "Bridge", "Rendering", "Case", "Scene", "CommandLine"},
     "Widgets": {"Core", "Bridge", "Case"},
     "Widgets/VTK": {"Core"},
     "Widgets/Desktop": {"Core", "Rendering"},
 }
 LIBRARIES = {  # first letters of a header -> the rooms that may include it
-    r"vtk": {"Meshing", "Bridge", "Rendering", "Case", "Widgets", "Widgets/VTK", "Widgets/Desktop"},
+    r"vtk(?!MRML|Slicer)": {"Meshing", "Bridge", "Rendering", "Case", "Scene", "CommandLine", "Widgets", "Widgets/VTK",
+                            "Widgets/Desktop"},
     r"itk": {"Imaging", "Bridge"},
     r"CGAL/": {"Meshing"},
-    r"nlohmann/": {"Bridge", "Case", "CommandLine", "Widgets"},
+    r"nlohmann/": {"Bridge", "Case", "Scene", "CommandLine", "Widgets"},
     r"valijson/": {"Case"},
     r"openssl/": {"Case"},
     r"CLI/": {"CommandLine"},
     r"Q[A-Z]": {"Widgets", "Widgets/Desktop"},
     r"qMRML|qSlicer": set(),
-    r"vtkMRML": set(),
+    r"vtkMRML": {"Scene", "CommandLine"},
+    r"vtkSlicer": {"CommandLine"},
     r"cholmod": {"Core"},
     r"(fstream|filesystem)$": set(ROOMS) - {"Core"},
 }
@@ -61,16 +64,19 @@ def mrml_faults(path):
     for number, line in enumerate(path.read_text().splitlines(), 1):
         include = re.match(r'\s*#\s*include\s*[<"]([^>"]+)[>"]', line)
         header = include.group(1) if include else ""
-        slicer = re.match(r"vtkMRML|vtkSlicer|vtkArchive|vtkObserverManager|qMRML|qSlicer", header)
-        if slicer and "FaceToBone" not in header and header not in stand_in:
+        slicer = re.match(r"vtkMRML|vtkSlicer|vtkArchive|vtkObserverManager|qMRML|qSlicer|ctk", header)
+        known = stand_in | MODULE_HEADERS if "Module" in path.parts else stand_in
+        if slicer and "FaceToBone" not in header and header not in known:
             yield f"{path.relative_to(root)}:{number}: MRML/StandIn has no {header}"
         if in_mrml and (header.split("/")[0] in ROOMS or re.match(r"Q[A-Z]|CGAL/", header)):
             yield f"{path.relative_to(root)}:{number}: MRML must not include {header}"
 
 
+# Slicer's own, for the module's class and panel alone
+MODULE_HEADERS = {"ctkVTKObject.h", "qSlicerAbstractModuleWidget.h", "qSlicerLoadableModule.h"}
 stand_in = {path.name for path in (root / "MRML" / "StandIn").rglob("*.h")}
 found += [fault for folder in ("MRML", "Logic", "Widgets") for path in sorted((root / folder).rglob("*.*"))
-          if path.suffix in {".h", ".cxx"} and "Module" not in path.parts for fault in mrml_faults(path)]
+          if path.suffix in {".h", ".cxx", ".hpp", ".cpp"} for fault in mrml_faults(path)]
 holds = {entry.name for entry in root.iterdir() if not entry.name.startswith(".")}
 extra = holds - {"CMakeLists.txt", "CMakePresets.json", "README.md", "LICENSE", "Logic", "MRML", "Widgets",
                  "Testing", "Resources"}
