@@ -445,7 +445,10 @@ void qSlicerFaceToBoneModuleWidget::openCase()
 void qSlicerFaceToBoneModuleWidget::startStep(int step)
 {
   Q_D(qSlicerFaceToBoneModuleWidget);
-  if (d->Plan && d->logic()->Start(d->Plan, step))
+  // pictures are drawn in the thread that draws the views
+  if (d->Plan && step == PlanNode::Report)
+    d->logic()->Do(d->Plan, step);
+  else if (d->Plan && d->logic()->Start(d->Plan, step))
     d->Polling->start();
   this->updateWidgetFromMRML();
 }
