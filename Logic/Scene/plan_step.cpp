@@ -75,8 +75,7 @@ StepRequest prepare_step(const CaseNodes& nodes, int step, const Path& source)
   request.step = step;
   request.folder = nodes.plan->GetCaseFolder();
   if (request.folder.empty())
-    throw Error(nodes.plan->GetName() ? nodes.plan->GetName() : "the plan", "it has no case folder",
-                "choose one");
+    throw Error("the case folder", "it cannot be made without a name", "choose a folder");
   request.source = source;
   request.suggest.confirm = nodes.plan->GetSuggestConfirm();
   if (nodes.plan->GetSuggestDensity() > 0)
