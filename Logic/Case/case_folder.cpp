@@ -358,6 +358,8 @@ void CaseChange::commit(const std::string& step)
     install = files_below(m_staging);
     m_case.require_replaceable(install, step);
   }
+  else if (outdated_by(step).size() > 1) // the scene would name files that are no more
+    remove.push_back(case_scene_name);
   // a whole case that was made aside brings its own ledger
   if (const Ledger made_aside = read_ledger(m_staging); !made_aside.empty())
     ledger = made_aside;
