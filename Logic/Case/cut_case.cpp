@@ -5,6 +5,7 @@
 #include "Case/drawn_osteotomies.hpp"
 #include "Case/placed_osteotomies.hpp"
 #include "Case/verbs.hpp"
+#include "Core/error.hpp"
 #include "Core/geometry/trimmed_cuts.hpp"
 #include "Core/mesh/contact.hpp"
 #include "Meshing/isosurface.hpp"
@@ -98,6 +99,26 @@ json write_fragment(CaseChange& change, const Osteotomy& o, const TriangleMesh& 
           {"non_manifold_edges", check.non_manifold_edges}};
 }
 
+/// Saws with as little room around the bone that each plane parts as leaves no bridge: where bone is
+/// thinner than the lattice, the lattice does not tell how far it goes. The partition's planes are
+/// those that were sawn.
+CutSurfaces sawn_surfaces(const TriangleMesh& bone, BonePartition& partition)
+{
+  const BonePartition drawn = partition;
+  for (const double room_mm : {4.0, 8.0})
+    try
+    {
+      partition.osteotomies = trimmed_cuts(drawn, room_mm);
+      return cut_surfaces(bone, partition);
+    }
+    catch (const Error&)
+    {
+      // more room may do; what is wrong with the bone itself comes up again
+    }
+  partition.osteotomies = trimmed_cuts(drawn, 16);
+  return cut_surfaces(bone, partition);
+}
+
 } // namespace
 
 void cut_case(CaseSession& session)
@@ -119,12 +140,11 @@ void cut_case(CaseSession& session)
   session.progress("cutting the bone", 0.1);
   BonePartition partition = cut_bone(bone, closed, osteotomies);
   json fragments = json::array(), notes = json::array();
-  partition.osteotomies = trimmed_cuts(partition);
+  session.progress("sawing its surface", 0.4);
+  const CutSurfaces cut = sawn_surfaces(surface, partition);
   for (std::size_t f = 0; f < osteotomies.size(); ++f)
     tell_left_out(osteotomies[f], partition.osteotomies[f], notes);
   osteotomies = partition.osteotomies;
-  session.progress("sawing its surface", 0.4);
-  const CutSurfaces cut = cut_surfaces(surface, partition);
 
   session.progress("writing", 0.9);
   CaseChange change(session.folder);
