@@ -378,9 +378,11 @@ TEST_F(MainWindow, SampleCaseFromCtToReport)
   EXPECT_FALSE(work()->isOpen());
   ASSERT_TRUE(window->open(opened));
   EXPECT_TRUE(state(qFaceToBoneCase::Report).done);
-  EXPECT_EQ(work()->sculpting()->skin().displacement()[nose], after);
+  // files hold points: their difference from the reference is rounded
+  EXPECT_LT((work()->sculpting()->skin().displacement()[nose] - after).norm(), 1e-9);
   ASSERT_EQ(work()->movements().size(), 1u);
-  EXPECT_EQ(work()->movements()[0].translation, planned[0].translation);
+  for (std::size_t k = 0; k < 3; ++k)
+    EXPECT_NEAR(work()->movements()[0].translation[k], planned[0].translation[k], 1e-9);
 }
 
 } // namespace

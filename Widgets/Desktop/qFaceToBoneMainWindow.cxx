@@ -223,6 +223,7 @@ QWidget* qFaceToBoneMainWindow::makeViewBar()
   split->setObjectName("split");
   split->setRange(0, 100);
   split->setValue(100);
+  split->setMinimumWidth(60);
   split->setMaximumWidth(90);
   split->setToolTip(qFaceToBoneToolTip(tr("Target on the left, predicted face on the right"),
                                        tr("50 %"), tr("split view")));

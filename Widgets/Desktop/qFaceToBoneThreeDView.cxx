@@ -138,6 +138,8 @@ void qFaceToBoneThreeDView::renderSoon()
                      [this]
                      {
                        m_renderPending = false;
+                       if (!m_fitted) // the first time that there is something to see
+                         fitCamera();
                        placeSplit();
                        renderWindow()->Render();
                      });
@@ -181,11 +183,6 @@ void qFaceToBoneThreeDView::rebuild()
   updateBar();
   if (m_objects->all().empty())
     m_fitted = false;
-  else if (!m_fitted)
-  {
-    fit();
-    m_fitted = true;
-  }
   renderSoon();
 }
 
@@ -298,13 +295,14 @@ void qFaceToBoneThreeDView::setPreset(Preset preset)
 }
 
 /// All of what is visible, with a little room, whatever the shape of the panes.
-void qFaceToBoneThreeDView::fit()
+void qFaceToBoneThreeDView::fitCamera()
 {
   vtkRenderer* renderer = mainRenderer();
   double box[6];
   renderer->ComputeVisiblePropBounds(box);
   if (box[0] <= box[1])
   {
+    m_fitted = true;
     vtkCamera* camera = renderer->GetActiveCamera();
     double towards[3], up[3], right[3], middle[3];
     camera->GetDirectionOfProjection(towards);
@@ -328,6 +326,11 @@ void qFaceToBoneThreeDView::fit()
   }
   for (const Pane& pane : m_panes)
     pane.renderer->ResetCameraClippingRange();
+}
+
+void qFaceToBoneThreeDView::fit()
+{
+  fitCamera();
   renderSoon();
 }
 

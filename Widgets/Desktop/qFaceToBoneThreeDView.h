@@ -56,6 +56,7 @@ public:
 
 private:
   struct Pane;
+  void fitCamera();
   void rebuild();
   void updateObject(const QString& key);
   void updateActor(vtkActor* actor, const QString& key);
