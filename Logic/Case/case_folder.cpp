@@ -113,7 +113,7 @@ const std::vector<std::string>& outdated_by(const std::string& step)
   {
     // what an export holds rests on the plan, or on what the plan rests on
     const std::vector<std::string> exports = {"export calculix", "export febio", "export vtu",
-                                              "export stl", "export ply"};
+                                              "export stl", "export ply", "export mrb"};
     std::map<std::string, std::vector<std::string>> steps = {
         {"sample", {"sample"}},
         {"segment",
@@ -283,6 +283,7 @@ const std::vector<std::string>& case_file_names()
                                                  "export.inp",
                                                  "export.feb",
                                                  "export.vtu",
+                                                 "export.mrb",
                                                  "report.html",
                                                  "report.json",
                                                  "report.pdf"};

@@ -38,7 +38,7 @@ using CommitHook = std::function<void(const CaseOutlook&)>;
 /// - suggest: suggest.json
 /// - plan: plan.json plan_METHOD.vtu predicted_METHOD.vtp NAME_METHOD.{tfm,h5,vtp}
 /// - predict: predict.json predicted.vtp predicted.vtu NAME_moved.vtp
-/// - export: export.inp export.feb export.vtu print/*.stl print/*.ply, each a step of its own
+/// - export: export.inp export.feb export.vtu export.mrb print/*.stl print/*.ply, each a step of its own
 /// - evaluate: evaluation/
 /// - report: report.html report.pdf report.json pictures/ tables/
 /// - every step: case.mrml, where a hook writes it

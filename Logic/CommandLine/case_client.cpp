@@ -1,5 +1,8 @@
 #include "CommandLine/case_client.hpp"
 
+#include "Case/case_session.hpp"
+#include "Core/error.hpp"
+
 #include <vtkMRMLFaceToBonePlanNode.h>
 #include <vtkMRMLScene.h>
 #include <vtkSlicerFaceToBoneLogic.h>
@@ -44,6 +47,33 @@ vtkMRMLFaceToBonePlanNode* CaseClient::begin(const std::string& case_file,
 vtkMRMLFaceToBonePlanNode* CaseClient::open(const std::string& folder)
 {
   return watched(m_logic->OpenCase(folder));
+}
+
+void CaseClient::write_bundle(const std::string& folder, const Path& file)
+{
+  if (!file.empty() && file.extension() != ".mrb")
+    throw Error(file.string(), "Slicer knows a scene in one file by the ending .mrb",
+                "end the file's name in .mrb");
+  m_progress("reading the scene", 0);
+  m_logic->SetReadData(true);
+  open(folder);
+  m_progress("packing the scene", 0.3);
+  const auto pack = [this](const Path& bundle)
+  {
+    if (!m_scene->WriteToMRB(bundle.c_str()))
+      throw Error(bundle.string(), "it cannot be written",
+                  "give a file in a folder that you may write to, with room for all data");
+  };
+  if (file.empty())
+  {
+    CaseSession session = CaseSession::open(folder, m_progress);
+    CaseChange change(session.folder);
+    pack(change.file("export.mrb"));
+    change.commit("export mrb");
+  }
+  else
+    pack(std::filesystem::absolute(file));
+  m_progress("packed", 1);
 }
 
 void CaseClient::require(bool done) const

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "Case/case_folder.hpp"
 #include "Core/progress.hpp"
 
 #include <vtkCallbackCommand.h>
@@ -40,6 +41,10 @@ public:
   vtkMRMLFaceToBonePlanNode* begin(const std::string& case_file, const std::string& folder);
   /// The plan of a case folder. Throws StepFailure.
   vtkMRMLFaceToBonePlanNode* open(const std::string& folder);
+  /// The case's scene and all of its data as one file that Slicer opens; the file appears whole or
+  /// not at all. Throws Error where it cannot be written.
+  /// \param file  ends in .mrb; empty: export.mrb in the case
+  void write_bundle(const std::string& folder, const Path& file);
   vtkSlicerFaceToBoneLogic* logic() const { return m_logic; }
   /// Throws StepFailure where a step says that it was not done.
   void require(bool done) const;

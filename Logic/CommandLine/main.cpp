@@ -183,6 +183,8 @@ void export_deck(const Arguments& a, const Progress& progress)
     return export_fragments(session, a.exported.format, a.exported.file);
   }
   CaseClient client(progress);
+  if (a.exported.format == "mrb")
+    return client.write_bundle(a.folder, a.exported.file);
   Plan* plan = client.open(a.folder);
   state_movements(plan, a.movements);
   client.require(client.logic()->Export(plan, a.exported.format, a.exported.file.string(),
@@ -311,9 +313,9 @@ void add_export(CLI::App& app, Arguments& a, std::map<CLI::App*, Action>& action
   verb->add_option(
           "--format", a.exported.format,
           "calculix (.inp), febio (.feb 4.0), vtu (mesh, tissues, boundary, movement), stl or "
-          "ply (fragments at rest and planned)")
+          "ply (fragments at rest and planned), mrb (the scene with all data, for Slicer)")
       ->required()
-      ->check(CLI::IsMember({"calculix", "febio", "vtu", "stl", "ply"}));
+      ->check(CLI::IsMember({"calculix", "febio", "vtu", "stl", "ply", "mrb"}));
   verb->add_option("-o,--output", a.exported.file,
                    "File to write, a folder for stl and ply; in DIR where absent");
   verb->add_flag("--split-prisms", a.exported.split_prisms,

@@ -52,6 +52,25 @@ std::size_t count(const std::string& text, const std::string& part)
   return times;
 }
 
+TEST_F(Forward, BundlesTheSceneWithItsData)
+{
+  done({"export", "case", "--format", "mrb"});
+  const std::string scene = read_text(dir / "case.mrml");
+  ASSERT_NE(scene, "") << "the case's own scene stays";
+  done({"export", "case", "--format", "mrb", "-o", "sent.mrb"});
+  for (const Path& bundle : {dir / "export.mrb", folder / "sent.mrb"})
+  {
+    const std::string bytes = read_text(bundle);
+    EXPECT_EQ(bytes.compare(0, 2, "PK"), 0) << bundle;
+    for (const char* part : {".mrml", "skin.vt", "bone.vt", "mesh.vt"})
+      EXPECT_NE(bytes.find(part), std::string::npos) << bundle << " lacks " << part;
+  }
+  const Answer refused =
+      run_program({"export", "case", "--format", "mrb", "-o", "sent.zip"}, folder.path());
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_NE(refused.err.find("sent.zip"), std::string::npos) << refused.err;
+}
+
 TEST_F(Forward, ExportsIntoTheCaseOrElsewhereAndLeavesItsMovementAlone)
 {
   const json before = json::parse(read_text(dir / "case.json"));
