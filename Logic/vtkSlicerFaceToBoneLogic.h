@@ -43,6 +43,10 @@ public:
   /// The plan of a case folder with its nodes. Null and GetErrorText where it is none.
   vtkMRMLFaceToBonePlanNode* OpenCase(const std::string& folder);
 
+  /// Brings a case folder's `case.mrml` up to its files, for programs that do their steps without
+  /// nodes; adds nothing to the scene. False and GetErrorText where it cannot be written.
+  bool WriteCaseScene(const std::string& folder);
+
   /// Each does one step of a plan and returns whether it was done. Settings and what was edited on
   /// nodes (cut planes, landmarks, a target's displacements) go into the case first.
   bool Segment(vtkMRMLFaceToBonePlanNode* plan); ///< begins the folder

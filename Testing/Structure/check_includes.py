@@ -28,8 +28,8 @@ LIBRARIES = {  # first letters of a header -> the rooms that may include it
     r"CLI/": {"CommandLine"},
     r"Q[A-Z]": {"Widgets", "Widgets/Desktop"},
     r"qMRML|qSlicer": set(),
-    r"vtkMRML": {"Scene", "CommandLine"},
-    r"vtkSlicer": {"CommandLine"},
+    r"vtkMRML": {"Scene", "CommandLine", "Widgets"},
+    r"vtkSlicer": {"CommandLine", "Widgets"},
     r"cholmod": {"Core"},
     r"(fstream|filesystem)$": set(ROOMS) - {"Core"},
 }

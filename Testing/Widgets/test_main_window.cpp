@@ -315,6 +315,7 @@ TEST_F(MainWindow, SampleCaseFromCtToReport)
   ASSERT_EQ(run(qFaceToBoneCase::Cuts), "");
   window->steps()->setCurrentStep(qFaceToBoneCase::Cuts);
   ASSERT_TRUE(state(qFaceToBoneCase::Cuts).done);
+  EXPECT_TRUE(std::filesystem::exists(Path(work()->folder().toStdString()) / "case.mrml"));
   std::string keys;
   for (const qFaceToBoneObject& object : work()->objects()->all())
     keys += object.key.toStdString() + " ";
