@@ -38,11 +38,11 @@ struct CoarsePatient
                ("f2b desktop patient " + std::to_string(::getpid())))
   {
     SampleOptions options;
-    options.spacing_mm = 2;
+    options.spacing_mm = 1;
     write_sample(folder, options, no_progress);
     nlohmann::json document = read_json(folder / "case.json");
-    document["mesh"]["density"] = 0.1;
-    document["segmentation"]["spacing_mm"] = 2.0;
+    document["mesh"]["density"] = 0.15;
+    document["solver"]["max_fit_iterations"] = 2;
     write_json(folder / "case.json", document);
   }
   ~CoarsePatient() { std::filesystem::remove_all(folder); }
@@ -312,6 +312,9 @@ TEST_F(MainWindow, SampleCaseFromCtToReport)
   window->steps()->setCurrentStep(qFaceToBoneCase::Surfaces);
   picture("2_surfaces");
 
+  std::string background;
+  QObject::connect(work()->background(), &qFaceToBoneTask::ended, window.get(),
+                   [&](bool, const QString& message) { background = message.toStdString(); });
   ASSERT_EQ(run(qFaceToBoneCase::Cuts), "");
   window->steps()->setCurrentStep(qFaceToBoneCase::Cuts);
   ASSERT_TRUE(state(qFaceToBoneCase::Cuts).done);
@@ -326,7 +329,7 @@ TEST_F(MainWindow, SampleCaseFromCtToReport)
   picture("3_cuts");
   window->findChild<QSlider*>("explode")->setValue(0);
   ASSERT_TRUE(background_ends());
-  ASSERT_TRUE(work()->isLive());
+  ASSERT_TRUE(work()->isLive()) << background;
 
   // the case's own target, then the brush
   ASSERT_EQ(run(qFaceToBoneCase::Target), "");

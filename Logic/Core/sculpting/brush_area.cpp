@@ -7,12 +7,13 @@ namespace f2b
 namespace
 {
 
-/// The weight of skin that faces away is 0, with a soft edge as far as 80 degrees from the viewer.
+/// Skin that faces away has no weight, with a soft edge from 90 degrees on. What is seen from the
+/// edge counts in full: in profile the middle of the face would lag behind a symmetric drag.
 double facing(const Vec3& normal, const Vec3& view)
 {
-  constexpr double whole = 0.17;
+  constexpr double none = -0.25;
   const double cosine = -normal.dot(view);
-  const double t = std::clamp(cosine / whole, 0.0, 1.0);
+  const double t = std::clamp((cosine - none) / -none, 0.0, 1.0);
   return t * t * (3 - 2 * t);
 }
 

@@ -236,6 +236,17 @@ TEST(SculptingSession, SymmetricStrokesKeepASymmetricFaceSymmetric)
     }
 }
 
+TEST(SculptingSession, SymmetricGrabInProfileTakesTheMiddleAlong)
+{
+  SculptingSession session(face());
+  Brush brush = brush_of(BrushKind::ElasticGrab, 15);
+  brush.symmetry = SymmetryPlane{};
+  session.begin_stroke(brush, session.skin().tree().nearest({2, 14, 0}), {-1, 0, 0});
+  session.drag({0, 4, 0});
+  session.end_stroke();
+  EXPECT_GT(session.skin().displacement()[vertex_at(40, 40)].y(), 3);
+}
+
 TEST(SculptingSession, SymmetricGrabOnTheMidlineIsNotDoubled)
 {
   SculptingSession session(face());
