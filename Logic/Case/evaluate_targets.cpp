@@ -210,10 +210,10 @@ json reach_targets(const Evaluation& e)
     row["title"] = recipe.title;
     row["peak_mm"] = peak_of(target.displacement);
     trial.compare_with_virtual_force(row);
-    if (e.options.check_optimum && !recipe.warps_chin)
+    if (e.options.check_optimum && !recipe.moves_chin)
       trial.compare_with_search(row);
     maps.panels.push_back(trial.map("Target " + recipe.name));
-    if (recipe.warps_chin)
+    if (recipe.moves_chin)
       try
       {
         const FaceWithChin with_chin(e.session);

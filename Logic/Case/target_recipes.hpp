@@ -6,16 +6,27 @@
 namespace f2b
 {
 
-/// A face by where some of its points are to go.
+/// A stroke of a wide brush over the face: the skin along its path moves as told at the path's
+/// points, evenly up to `full_mm` from the path and not at all beyond `reach_mm`.
+struct BrushStroke
+{
+  struct PathPoint
+  {
+    std::string place; ///< landmark, or the mean of some as "A|B|B"; the nearest vertex is meant
+    Vec3 shift;        ///< [mm, RAS]
+  };
+  std::vector<PathPoint> path;
+  double full_mm = 0, reach_mm = 0;
+};
+
+/// A face by the strokes that make it of the reference face.
 struct TargetRecipe
 {
   std::string name, title;
-  bool warps_chin = false;
-  double radius_mm = 0; ///< of the warp (landmark_warp.hpp)
-  /// Landmark, or two as "A|B" for their middle, and its displacement [mm, RAS].
-  std::vector<std::pair<std::string, Vec3>> points;
+  bool moves_chin = false;
+  std::vector<BrushStroke> strokes;
 
-  /// Displacement of every vertex [mm]. A point stands for the vertex that is nearest to it.
+  /// Displacement of every vertex [mm]; strokes that overlap blend and do not add up.
   /// Throws Error naming a landmark that is not there.
   std::vector<Vec3> displacement(const std::vector<Vec3>& skin, const Landmarks& landmarks) const;
 };

@@ -19,35 +19,56 @@ TEST(EvaluationTables, CsvQuotesWhatWouldBreakIt)
             "### t\n\n| a | b |\n| --- | --- |\n| x, y | said \"so\" |\n| 1 |  |\n\n");
 }
 
-TEST(TargetRecipes, PeakAtFiveToEightMillimetresAndOnlyTheLastWarpsTheChin)
+TEST(TargetRecipes, PeakAtFiveToEightMillimetresAndOnlyTheLastMovesTheChin)
 {
   const std::vector<TargetRecipe> recipes = target_recipes();
   ASSERT_EQ(recipes.size(), 3u);
   for (const TargetRecipe& recipe : recipes)
   {
     double peak = 0;
-    for (const auto& [landmark, shift] : recipe.points)
-      peak = std::max(peak, shift.norm());
+    for (const BrushStroke& stroke : recipe.strokes)
+      for (const BrushStroke::PathPoint& point : stroke.path)
+        peak = std::max(peak, point.shift.norm());
     EXPECT_GE(peak, 5) << recipe.name;
     EXPECT_LE(peak, 8) << recipe.name;
-    EXPECT_EQ(recipe.warps_chin, recipe.name == "c");
+    EXPECT_EQ(recipe.moves_chin, recipe.name == "c");
   }
 }
 
-TEST(TargetRecipes, TakeTheVerticesNearestToTheLandmarksThere)
+/// From the vertex nearest to A to the one nearest to B, 3 to 5 mm forwards.
+TargetRecipe stroke_from_a_to_b()
 {
-  TargetRecipe recipe;
-  recipe.name = "t";
-  recipe.radius_mm = 10;
-  recipe.points = {{"A", {0, 3, 0}}, {"B", {0, 0, 0}}};
+  return {"t", "", false, {{{{"A", {0, 3, 0}}, {"B", {0, 5, 0}}}, 2, 6}}};
+}
+
+TEST(TargetRecipes, MoveSkinAlongAStrokeEvenlyAndFadeBesideIt)
+{
+  const std::vector<Vec3> skin = {{0, 0, 0}, {8, 0, 0}, {4, 0, 1.9}, {4, 0, 4}, {4, 0, 6.1}};
+  const Landmarks landmarks = {{"A", {1, -2, 0}}, {"B", {9, 0, 1}}};
+  const auto d = stroke_from_a_to_b().displacement(skin, landmarks);
+  const double forwards[] = {3, 5, 4, 2, 0}; // halfway between full_mm and reach_mm, half of it
+  for (std::size_t v = 0; v < skin.size(); ++v)
+    EXPECT_NEAR((d[v] - Vec3(0, forwards[v], 0)).norm(), 0, 1e-12) << v;
+}
+
+TEST(TargetRecipes, DoNotAddUpStrokesThatOverlap)
+{
+  TargetRecipe recipe = stroke_from_a_to_b();
+  recipe.strokes.push_back(recipe.strokes.front());
+  const std::vector<Vec3> skin = {{0, 0, 0}, {8, 0, 0}, {4, 0, 4}};
+  const auto d = recipe.displacement(skin, {{"A", {0, 0, 0}}, {"B", {8, 0, 0}}});
+  EXPECT_NEAR((d[1] - Vec3(0, 5, 0)).norm(), 0, 1e-12);
+  EXPECT_NEAR((d[2] - Vec3(0, 3, 0)).norm(), 0, 1e-12); // untouched by both: a quarter of it
+}
+
+TEST(TargetRecipes, TakeTheMeanOfLandmarksAndNameTheOneThatIsNotThere)
+{
+  TargetRecipe recipe = stroke_from_a_to_b();
   const std::vector<Vec3> skin = {{0, 0, 0}, {8, 0, 0}, {40, 0, 0}};
-  const auto d = recipe.displacement(skin, {{"A", {1, -2, 0}}, {"B", {9, 0, 1}}});
-  EXPECT_NEAR((d[0] - Vec3(0, 3, 0)).norm(), 0, 1e-12);
-  EXPECT_NEAR(d[1].norm(), 0, 1e-12);
+  recipe.strokes[0].path = {{"A|B|B", {0, 0, 2}}}; // their mean is nearest to the second vertex
+  const auto d = recipe.displacement(skin, {{"A", {2, 0, 0}}, {"B", {11, 0, 0}}});
+  EXPECT_NEAR(d[1].z(), 2, 1e-12);
   EXPECT_EQ(d[2].norm(), 0);
-  TargetRecipe between = recipe;
-  between.points = {{"A|B", {0, 0, 2}}}; // their middle is nearest to the second vertex
-  EXPECT_NEAR(between.displacement(skin, {{"A", {1, 0, 0}}, {"B", {11, 0, 0}}})[1].z(), 2, 1e-12);
   test::expect_error(
       [&] {
         (void)recipe.displacement(skin, {{"A", {1, -2, 0}}});
