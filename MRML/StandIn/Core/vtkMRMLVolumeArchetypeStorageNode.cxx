@@ -14,6 +14,10 @@
 #include <itkNiftiImageIOFactory.h>
 #include <itkNrrdImageIOFactory.h>
 
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <cstdint>
 #include <limits>
 #include <stdexcept>
 
@@ -40,18 +44,18 @@ struct VoxelType
   int Vtk;
 };
 const VoxelType voxelTypes[] = {
-  {itk::IOComponentEnum::UCHAR, VTK_UNSIGNED_CHAR},
-  {itk::IOComponentEnum::CHAR, VTK_SIGNED_CHAR},
-  {itk::IOComponentEnum::USHORT, VTK_UNSIGNED_SHORT},
-  {itk::IOComponentEnum::SHORT, VTK_SHORT},
-  {itk::IOComponentEnum::UINT, VTK_UNSIGNED_INT},
-  {itk::IOComponentEnum::INT, VTK_INT},
-  {itk::IOComponentEnum::ULONG, VTK_UNSIGNED_LONG},
-  {itk::IOComponentEnum::LONG, VTK_LONG},
-  {itk::IOComponentEnum::ULONGLONG, VTK_UNSIGNED_LONG_LONG},
-  {itk::IOComponentEnum::LONGLONG, VTK_LONG_LONG},
-  {itk::IOComponentEnum::FLOAT, VTK_FLOAT},
-  {itk::IOComponentEnum::DOUBLE, VTK_DOUBLE},
+    {itk::IOComponentEnum::UCHAR, VTK_UNSIGNED_CHAR},
+    {itk::IOComponentEnum::CHAR, VTK_SIGNED_CHAR},
+    {itk::IOComponentEnum::USHORT, VTK_UNSIGNED_SHORT},
+    {itk::IOComponentEnum::SHORT, VTK_SHORT},
+    {itk::IOComponentEnum::UINT, VTK_UNSIGNED_INT},
+    {itk::IOComponentEnum::INT, VTK_INT},
+    {itk::IOComponentEnum::ULONG, VTK_UNSIGNED_LONG},
+    {itk::IOComponentEnum::LONG, VTK_LONG},
+    {itk::IOComponentEnum::ULONGLONG, VTK_UNSIGNED_LONG_LONG},
+    {itk::IOComponentEnum::LONGLONG, VTK_LONG_LONG},
+    {itk::IOComponentEnum::FLOAT, VTK_FLOAT},
+    {itk::IOComponentEnum::DOUBLE, VTK_DOUBLE},
 };
 
 int VtkType(itk::IOComponentEnum itkType)
@@ -78,12 +82,26 @@ itk::IOComponentEnum ItkType(int vtkType)
   throw std::runtime_error("voxels of this type cannot be written");
 }
 
+/// A CT's memory is touched first while it is read: with large pages that is a third of the time.
+void AskForLargePages(vtkImageData* image)
+{
+  const auto page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE));
+  const auto begin = reinterpret_cast<std::uintptr_t>(image->GetScalarPointer());
+  const auto first = (begin + page - 1) / page * page;
+  const auto end = begin + static_cast<std::uintptr_t>(image->GetScalarSize()) *
+                               static_cast<std::uintptr_t>(image->GetNumberOfPoints());
+  if (end > first)
+  {
+    madvise(reinterpret_cast<void*>(first), end - first, MADV_HUGEPAGE); // a wish, not a need
+  }
+}
+
 /// Unit spacing and zero origin, as a volume node wants it. Throws where the file is damaged.
 vtkSmartPointer<vtkImageData> ReadImage(itk::ImageIOBase* io)
 {
   const unsigned int dimensions = io->GetNumberOfDimensions();
-  if (dimensions < 2 || dimensions > 4 || (dimensions == 4 && io->GetDimensions(3) != 1)
-      || io->GetNumberOfComponents() != 1)
+  if (dimensions < 2 || dimensions > 4 || (dimensions == 4 && io->GetDimensions(3) != 1) ||
+      io->GetNumberOfComponents() != 1)
   {
     throw std::runtime_error("it is no volume of one number a voxel");
   }
@@ -107,6 +125,7 @@ vtkSmartPointer<vtkImageData> ReadImage(itk::ImageIOBase* io)
   const auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetDimensions(size);
   image->AllocateScalars(VtkType(io->GetComponentType()), 1);
+  AskForLargePages(image);
   io->SetIORegion(region);
   io->Read(image->GetScalarPointer());
   image->GetPointData()->GetScalars()->SetName("ImageScalars");
@@ -238,7 +257,7 @@ int vtkMRMLVolumeArchetypeStorageNode::WriteDataInternal(vtkMRMLNode* refNode)
   try
   {
     const auto io =
-      itk::ImageIOFactory::CreateImageIO(path.c_str(), itk::IOFileModeEnum::WriteMode);
+        itk::ImageIOFactory::CreateImageIO(path.c_str(), itk::IOFileModeEnum::WriteMode);
     if (!io || this->GetSupportedFileExtension(path.c_str(), false, true).empty())
     {
       throw std::runtime_error("volumes of this format are not written");
