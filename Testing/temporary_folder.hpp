@@ -6,10 +6,13 @@
 #include <fstream>
 #include <string>
 
+#include <unistd.h>
+
 namespace f2b::test
 {
 
-/// A folder of the running test's own, with a space and an umlaut in its name; gone afterwards.
+/// A folder of this process's running test, with a space and an umlaut in its name; gone afterwards.
+/// Programs that run beside it, such as those of another working copy, have folders of their own.
 class TemporaryFolder
 {
 public:
@@ -17,7 +20,8 @@ public:
   {
     const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
     m_path = std::filesystem::temp_directory_path() /
-             (std::string("f2b gesicht ü ") + test->test_suite_name() + "." + test->name());
+             (std::string("f2b gesicht ü ") + test->test_suite_name() + "." + test->name() + " " +
+              std::to_string(::getpid()));
     std::filesystem::remove_all(m_path);
     std::filesystem::create_directories(m_path);
   }
