@@ -13,6 +13,8 @@
 #include <vtkMRMLFaceToBoneOsteotomyNode.h>
 #include <vtkMRMLFaceToBonePlanNode.h>
 #include <vtkMRMLFaceToBoneTargetNode.h>
+#include <vtkMRMLMarkupsClosedCurveNode.h>
+#include <vtkMRMLMarkupsCurveNode.h>
 #include <vtkMRMLMarkupsFiducialDisplayNode.h>
 #include <vtkMRMLMarkupsFiducialNode.h>
 #include <vtkMRMLMarkupsJsonStorageNode.h>
@@ -102,9 +104,11 @@ public:
 f2b::StepRequest vtkSlicerFaceToBoneLogic::Internals::Prepare(Logic& logic, PlanNode* plan,
                                                               int step)
 {
-  const char* source = plan->GetAttribute(SourceAttribute);
-  f2b::StepRequest request = f2b::prepare_step(f2b::CaseNodes::of(plan), step,
-                                               source ? source : logic.GetSettingsSource());
+  const char* file = plan->GetAttribute(SourceAttribute);
+  f2b::SettingsOrigin origin;
+  origin.name = file ? file : logic.GetSettingsSource();
+  origin.file = file ? f2b::Path(file) : f2b::Path(plan->GetCaseFolder()) / f2b::case_settings_name;
+  f2b::StepRequest request = f2b::prepare_step(f2b::CaseNodes::of(plan), step, origin);
   request.exported = this->Exported;
   return request;
 }
@@ -121,6 +125,7 @@ void vtkSlicerFaceToBoneLogic::Internals::Publish(Logic& logic, PlanNode* plan)
 {
   const f2b::Path folder = std::filesystem::canonical(plan->GetCaseFolder());
   const f2b::CaseOutlook files = f2b::committed_files(folder);
+  logic.CompletePlan(plan); // what was deleted while the step ran
   const f2b::CaseNodes nodes = f2b::CaseNodes::of(plan);
   plan->RemoveAttribute(SourceAttribute);
   f2b::settings_to_nodes(f2b::read_json(files.file(f2b::case_settings_name)), nodes);
@@ -165,6 +170,8 @@ void vtkSlicerFaceToBoneLogic::RegisterNodes()
   // Slicer's Markups module has registered these; a standalone scene has not
   RegisterClass(scene, vtkNew<vtkMRMLMarkupsFiducialNode>());
   RegisterClass(scene, vtkNew<vtkMRMLMarkupsPlaneNode>());
+  RegisterClass(scene, vtkNew<vtkMRMLMarkupsCurveNode>());
+  RegisterClass(scene, vtkNew<vtkMRMLMarkupsClosedCurveNode>());
   RegisterClass(scene, vtkNew<vtkMRMLMarkupsDisplayNode>());
   RegisterClass(scene, vtkNew<vtkMRMLMarkupsFiducialDisplayNode>());
   RegisterClass(scene, vtkNew<vtkMRMLMarkupsPlaneDisplayNode>());
@@ -341,9 +348,12 @@ bool vtkSlicerFaceToBoneLogic::ProcessEvents()
 {
   if (!this->IsRunning())
     return false;
-  const vtkSmartPointer<vtkMRMLFaceToBonePlanNode> plan = this->Internal->RunningPlan.GetPointer();
-  if (!plan) // removed from the scene meanwhile
+  vtkSmartPointer<vtkMRMLFaceToBonePlanNode> plan = this->Internal->RunningPlan.GetPointer();
+  if (!plan || !plan->GetScene() || plan->GetScene() != this->GetMRMLScene())
+  {
+    plan = nullptr; // removed from the scene meanwhile
     this->Cancel();
+  }
   const f2b::BackgroundStep::News news = this->Internal->Running->look(
       [this](const f2b::CaseOutlook& files) { this->Internal->WriteScene(*this, files); });
   if (plan)

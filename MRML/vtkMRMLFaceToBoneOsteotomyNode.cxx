@@ -19,6 +19,7 @@ vtkMRMLFaceToBoneOsteotomyNode::vtkMRMLFaceToBoneOsteotomyNode()
   for (const char* role : {BoneRole, UncutBoneRole, LandmarksRole})
     this->AddNodeReferenceRole(role);
   this->AddNodeReferenceRole(CutPlanesRole, "CutPlanesRef");
+  this->AddNodeReferenceRole(CutCurvesRole, "CutCurvesRef");
   this->AddNodeReferenceRole(RestFragmentRole, "RestFragmentRef");
 }
 
@@ -142,7 +143,7 @@ void vtkMRMLFaceToBoneOsteotomyNode::RemoveNthFragment(int n)
   if (!this->GetNthFragment(n))
     return;
   MRMLNodeModifyBlocker blocker(this);
-  for (const char* role : {CutPlanesRole, RestFragmentRole})
+  for (const char* role : {CutPlanesRole, CutCurvesRole, RestFragmentRole})
     this->RemoveNodeReferenceIDs(this->GetNthFragmentRole(n, role).c_str());
   this->Fragments.erase(this->Fragments.begin() + n);
   this->Modified();
@@ -191,7 +192,7 @@ void vtkMRMLFaceToBoneOsteotomyNode::SortFragments(const std::vector<std::string
 
 void vtkMRMLFaceToBoneOsteotomyNode::MoveReferences(const std::string& from, const std::string& to)
 {
-  for (const char* role : {CutPlanesRole, RestFragmentRole})
+  for (const char* role : {CutPlanesRole, CutCurvesRole, RestFragmentRole})
   {
     const std::string old_role = role + from, new_role = role + to;
     this->RemoveNodeReferenceIDs(new_role.c_str());
@@ -287,6 +288,28 @@ void vtkMRMLFaceToBoneOsteotomyNode::RemoveNthFragmentPlaneNodeIDs(int n)
 {
   if (this->GetNthFragment(n))
     this->RemoveNodeReferenceIDs(this->GetNthFragmentRole(n, CutPlanesRole).c_str());
+}
+
+int vtkMRMLFaceToBoneOsteotomyNode::GetNthFragmentNumberOfCurves(int n)
+{
+  return this->GetNumberOfNodeReferences(this->GetNthFragmentRole(n, CutCurvesRole).c_str());
+}
+
+vtkMRMLNode* vtkMRMLFaceToBoneOsteotomyNode::GetNthFragmentCurveNode(int n, int curve)
+{
+  return this->GetNthNodeReference(this->GetNthFragmentRole(n, CutCurvesRole).c_str(), curve);
+}
+
+void vtkMRMLFaceToBoneOsteotomyNode::AddNthFragmentCurveNodeID(int n, const char* id)
+{
+  if (this->GetNthFragment(n))
+    this->AddNodeReferenceID(this->GetNthFragmentRole(n, CutCurvesRole).c_str(), id);
+}
+
+void vtkMRMLFaceToBoneOsteotomyNode::RemoveNthFragmentCurveNodeIDs(int n)
+{
+  if (this->GetNthFragment(n))
+    this->RemoveNodeReferenceIDs(this->GetNthFragmentRole(n, CutCurvesRole).c_str());
 }
 
 vtkMRMLModelNode* vtkMRMLFaceToBoneOsteotomyNode::GetNthFragmentRestNode(int n)

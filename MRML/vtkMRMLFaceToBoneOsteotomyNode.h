@@ -12,8 +12,8 @@ class vtkMRMLModelNode;
 /// \brief The bone, where it is cut, and what each fragment may do.
 ///
 /// An ordered list of fragments with distinct names. A fragment is cut by a template that is placed
-/// from landmarks, or by planes: markups that this node references, or files. Its bone at rest is a
-/// referenced model that never moves. References of a fragment carry its name in their role, so that
+/// from landmarks, or by planes and curves: markups that this node references, or files. Its bone at
+/// rest is a referenced model that never moves. References of a fragment carry its name in their role, so that
 /// fragments can come and go. Positions in RAS; lengths in mm, angles in degrees.
 class VTK_SLICER_FACETOBONE_MODULE_MRML_EXPORT vtkMRMLFaceToBoneOsteotomyNode : public vtkMRMLNode
 {
@@ -33,6 +33,7 @@ public:
   static constexpr const char* UncutBoneRole = "uncutBone";
   static constexpr const char* LandmarksRole = "landmarks";
   static constexpr const char* CutPlanesRole = "cutPlanes/";
+  static constexpr const char* CutCurvesRole = "cutCurves/";
   static constexpr const char* RestFragmentRole = "restFragment/";
 
   vtkMRMLModelNode* GetBoneNode();
@@ -76,6 +77,11 @@ public:
   vtkMRMLNode* GetNthFragmentPlaneNode(int n, int plane);
   void AddNthFragmentPlaneNodeID(int n, const char* id);
   void RemoveNthFragmentPlaneNodeIDs(int n);
+  /// Lines on the bone along which it is sawn, in order (vtkMRMLMarkupsCurveNode).
+  int GetNthFragmentNumberOfCurves(int n);
+  vtkMRMLNode* GetNthFragmentCurveNode(int n, int curve);
+  void AddNthFragmentCurveNodeID(int n, const char* id);
+  void RemoveNthFragmentCurveNodeIDs(int n);
   vtkMRMLModelNode* GetNthFragmentRestNode(int n);
   void SetNthFragmentRestNodeID(int n, const char* id);
 

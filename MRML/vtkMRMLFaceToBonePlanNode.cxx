@@ -214,6 +214,17 @@ std::string vtkMRMLFaceToBonePlanNode::GetCaseFolderInScene()
                                                            : this->CaseFolder;
 }
 
+/// The folder that a scene file names starts from that file's own, not from where the program does.
+void vtkMRMLFaceToBonePlanNode::UpdateScene(vtkMRMLScene* scene)
+{
+  Superclass::UpdateScene(scene);
+  const char* root = scene ? scene->GetRootDirectory() : nullptr;
+  if (root && *root && !this->CaseFolder.empty() &&
+      !vtksys::SystemTools::FileIsFullPath(this->CaseFolder))
+    this->SetCaseFolder(vtksys::SystemTools::CollapseFullPath(
+        this->CaseFolder, vtksys::SystemTools::CollapseFullPath(root)));
+}
+
 void vtkMRMLFaceToBonePlanNode::CopyContent(vtkMRMLNode* anode, bool deepCopy)
 {
   MRMLNodeModifyBlocker blocker(this);

@@ -29,6 +29,7 @@ public:
   const char* GetNodeTagName() override { return "FaceToBonePlan"; }
   void ReadXMLAttributes(const char** atts) override;
   void WriteXML(ostream& of, int indent) override;
+  void UpdateScene(vtkMRMLScene* scene) override;
   vtkMRMLCopyContentMacro(vtkMRMLFaceToBonePlanNode);
 
   enum
@@ -96,7 +97,7 @@ public:
 
   // --- Options
 
-  /// Folder of standard files that the plan lives in.
+  /// Folder of standard files that the plan lives in. A scene file names it relative to its own.
   vtkSetMacro(CaseFolder, std::string);
   vtkGetMacro(CaseFolder, std::string);
   vtkSetMacro(CaseName, std::string);
@@ -217,7 +218,8 @@ public:
   std::vector<std::string> GetFindings() { return this->Findings; }
   void SetSuggestions(const std::vector<std::string>& sentences);
   std::vector<std::string> GetSuggestions() { return this->Suggestions; }
-  /// With what it was made.
+  /// With what it was made: JSON of `date` (UTC), `made` (the file that is so old), `methods`,
+  /// `ct_nrrd_sha256` and `versions` by program and library.
   vtkSetMacro(Provenance, std::string);
   vtkGetMacro(Provenance, std::string);
 

@@ -2,6 +2,7 @@
 
 #include "Bridge/resources.hpp"
 #include "Case/schema_check.hpp"
+#include "Case/settings_paths.hpp"
 #include "Core/error.hpp"
 #include "Core/geometry/osteotomy_templates.hpp"
 
@@ -102,20 +103,6 @@ void require_known_template(const std::string& name, const std::string& where, c
               "use one of " + known);
 }
 
-/// Calls visit(path) for every file that a fragment's rules name.
-template <class Visit>
-void visit_bite_paths(json& movement, const Visit& visit)
-{
-  if (!movement.contains("bite"))
-    return;
-  json& bite = movement["bite"];
-  if (bite.contains("splint"))
-    visit(bite["splint"]);
-  if (bite.contains("points"))
-    for (const char* key : {"from", "to"})
-      visit(bite["points"][key]);
-}
-
 CurveSettings curve_from(const json& value, const Path& source)
 {
   CurveSettings curve;
@@ -170,7 +157,7 @@ OsteotomySettings osteotomy_from(const json& value, std::size_t index, const Pat
                 "name the fragment and give a point on the bone that is to be free");
   require_known_template(o.template_name, where, source);
   o.movement = value.value("movement", json());
-  visit_bite_paths(o.movement,
+  visit_rule_paths(o.movement,
                    [&](json& path) { path = resolved(path.get<std::string>(), source).string(); });
   return o;
 }
@@ -342,42 +329,8 @@ void require_known_fragments(const Movements& movements, const std::vector<std::
 
 json with_absolute_paths(json document, const Path& source)
 {
-  auto make_absolute = [&](json& text)
-  { text = resolved(text.get<std::string>(), source).lexically_normal().string(); };
-  for (const char* key : {"ct", "landmarks"})
-    if (document.contains(key))
-      make_absolute(document[key]);
-  for (json& osteotomy : document["osteotomies"])
-  {
-    if (osteotomy.contains("planes"))
-      for (json& file : osteotomy["planes"])
-        make_absolute(file);
-    if (osteotomy.contains("curves"))
-      for (json& curve : osteotomy["curves"])
-        make_absolute(curve["markup"]);
-    if (osteotomy.contains("movement"))
-      visit_bite_paths(osteotomy["movement"], make_absolute);
-  }
-  if (document.contains("segmentation"))
-    for (const char* key : {"seeds", "labels"})
-      if (document["segmentation"].contains(key))
-        make_absolute(document["segmentation"][key]);
-  if (document.contains("protected"))
-    for (json& structure : document["protected"])
-      for (const char* key : {"curve", "mesh"})
-        if (structure.contains(key))
-          make_absolute(structure[key]);
-  json& target = document["target"];
-  if (target.contains("mesh"))
-    make_absolute(target["mesh"]);
-  if (target.contains("scan"))
-    make_absolute(target["scan"]["mesh"]);
-  if (target.contains("warp"))
-    for (const char* key : {"from", "to"})
-      make_absolute(target["warp"][key]);
-  if (document.contains("materials") &&
-      !carried_resource("materials/" + document["materials"].get<std::string>() + ".json"))
-    make_absolute(document["materials"]);
+  visit_paths(document, [&](json& text)
+              { text = resolved(text.get<std::string>(), source).lexically_normal().string(); });
   return document;
 }
 

@@ -4,6 +4,7 @@
 #include "Case/cut_surfaces.hpp"
 #include "Case/drawn_osteotomies.hpp"
 #include "Case/placed_osteotomies.hpp"
+#include "Case/settings_paths.hpp"
 #include "Case/verbs.hpp"
 #include "Core/error.hpp"
 #include "Core/geometry/trimmed_cuts.hpp"
@@ -85,7 +86,7 @@ json write_fragment(CaseChange& change, const Osteotomy& o, const TriangleMesh& 
     markup.type = curve.closed ? "ClosedCurve" : "Curve";
     for (const Vec3& p : curve.points)
       markup.points.push_back({curve.name, p});
-    write_points(change.file("cuts_" + part + "_" + file_part(curve.name) + ".mrk.json"), markup);
+    write_points(change.file(cut_curve_file(o.fragment, curve.name)), markup);
     curves.push_back(to_json(curve));
   }
   return {{"name", o.fragment},
@@ -148,7 +149,8 @@ void cut_case(CaseSession& session)
 
   session.progress("writing", 0.9);
   CaseChange change(session.folder);
-  write_json(change.file(case_settings_name), session.document);
+  write_json(change.file(case_settings_name),
+             with_folder_paths(session.document, session.folder.path()));
   std::vector<BoundedPlane> planes;
   for (std::size_t f = 0; f < osteotomies.size(); ++f)
   {

@@ -2,6 +2,7 @@
 
 #include "Bridge/markups.hpp"
 #include "Bridge/vtk_surface.hpp"
+#include "Case/placed_osteotomies.hpp"
 #include "Core/error.hpp"
 
 namespace f2b
@@ -37,11 +38,11 @@ Vec3 inwards(const std::vector<Vec3>& points, const ScalarGrid& bone, const Path
   return sum.normalized();
 }
 
-SweptCurve swept(const CurveSettings& settings, const ScalarGrid& bone)
+SweptCurve swept(const CurveSettings& settings, const std::string& fragment, const ScalarGrid& bone)
 {
   const PointMarkup markup = read_points(settings.markup);
   SweptCurve curve;
-  curve.name = settings.markup.stem().stem().string();
+  curve.name = curve_name_of(fragment, settings.markup);
   curve.closed = markup.type == "ClosedCurve";
   curve.points = drawn_points(markup, settings.straight);
   curve.direction = settings.direction ? settings.direction->normalized()
@@ -73,7 +74,7 @@ Osteotomy drawn_osteotomy(const OsteotomySettings& o, const Landmarks& landmarks
       osteotomy.planes.push_back(std::move(plane));
   for (const CurveSettings& curve : o.curves)
   {
-    osteotomy.curves.push_back(swept(curve, bone));
+    osteotomy.curves.push_back(swept(curve, o.fragment, bone));
     require_swept(osteotomy.curves.back(), o.kerf_mm);
   }
   return osteotomy;

@@ -68,4 +68,27 @@ std::string cut_plane_file(const std::string& fragment, std::size_t plane)
   return "cut_" + file_part(fragment) + "_" + std::to_string(plane + 1) + ".mrk.json";
 }
 
+namespace
+{
+
+std::string cut_file_beginning(const std::string& fragment)
+{
+  return "cuts_" + file_part(fragment) + "_";
+}
+
+} // namespace
+
+std::string cut_curve_file(const std::string& fragment, const std::string& curve)
+{
+  return cut_file_beginning(fragment) + file_part(curve) + ".mrk.json";
+}
+
+std::string curve_name_of(const std::string& fragment, const Path& file)
+{
+  const std::string name = file.stem().stem().string(), beginning = cut_file_beginning(fragment);
+  return name.rfind(beginning, 0) == 0 && name.size() > beginning.size()
+             ? name.substr(beginning.size())
+             : name;
+}
+
 } // namespace f2b

@@ -17,5 +17,10 @@ std::vector<Osteotomy> placed_osteotomies(const CaseFolder& folder);
 
 /// The file of one of a fragment's planes, counted from 0.
 std::string cut_plane_file(const std::string& fragment, std::size_t plane);
+/// The file of one of its curves, by the curve's name.
+std::string cut_curve_file(const std::string& fragment, const std::string& curve);
+/// The name of a curve that is drawn in a file: a file of cut_curve_file means the curve that it was
+/// made for.
+std::string curve_name_of(const std::string& fragment, const Path& file);
 
 } // namespace f2b

@@ -3,6 +3,8 @@
 #include "Bridge/markups.hpp"
 #include "Bridge/material_file.hpp"
 #include "Case/face_regions.hpp"
+#include "Case/file_checksum.hpp"
+#include "Case/settings_paths.hpp"
 #include "Case/verbs.hpp"
 #include "Case/warp_points.hpp"
 #include "Core/error.hpp"
@@ -153,8 +155,10 @@ void segment_case(CaseSession& session)
 
   session.progress("writing", 0.9);
   CaseChange change(session.folder);
-  write_json(change.file(case_settings_name), session.document);
-  write_grid(change.file("ct.nrrd"), head.hu);
+  write_json(change.file(case_settings_name),
+             with_folder_paths(session.document, session.folder.path()));
+  const Path ct_file = change.file("ct.nrrd");
+  write_grid(ct_file, head.hu);
   write_grid(change.file("labels.nrrd"), head.labels);
   write_grid(change.file("skin_distance.nrrd"), head.skin);
   write_grid(change.file("bone_distance.nrrd"), head.bone);
@@ -166,6 +170,7 @@ void segment_case(CaseSession& session)
     write_landmarks(change.file("landmarks.mrk.json"), landmarks);
   write_json(change.file("segment.json"),
              {{"seconds", watch.seconds()},
+              {"ct_nrrd_sha256", sha256_of(ct_file)},
               {"skin_threshold_hu", head.skin_threshold_hu},
               {"bone_threshold_hu", head.bone_threshold_hu},
               {"region_ras",

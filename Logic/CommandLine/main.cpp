@@ -117,6 +117,13 @@ void cut(const Arguments& a, const Progress& progress)
 // Settings that the command line changes become part of the case; relative paths in them start
 // from where the user stands.
 
+/// A file as the command line names it: relative to where the program was started, where a plan's
+/// own are relative to its folder.
+std::string from_here(const std::string& file)
+{
+  return std::filesystem::absolute(file).string();
+}
+
 void target(const Arguments& a, const Progress& progress)
 {
   const auto kinds =
@@ -131,19 +138,19 @@ void target(const Arguments& a, const Progress& progress)
   if (!a.warp_from.empty())
   {
     target->SetKind(Target::Warp);
-    target->SetWarpFromFileName(a.warp_from);
-    target->SetWarpToFileName(a.warp_to);
+    target->SetWarpFromFileName(from_here(a.warp_from));
+    target->SetWarpToFileName(from_here(a.warp_to));
     target->SetWarpRadiusMm(a.warp_radius_mm);
   }
   if (!a.scan.empty())
   {
     target->SetKind(Target::Scan);
-    target->SetScanFileName(a.scan);
+    target->SetScanFileName(from_here(a.scan));
   }
   if (!a.target_mesh.empty())
   {
     target->SetKind(Target::Mesh);
-    target->SetMeshFileName(a.target_mesh);
+    target->SetMeshFileName(from_here(a.target_mesh));
   }
   if (!a.movements.empty())
   {

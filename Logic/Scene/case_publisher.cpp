@@ -125,7 +125,8 @@ void CasePublisher::cut()
     for (std::size_t f = 0; f < told.at("fragments").size(); ++f)
       fragment(f, told.at("fragments")[f]);
   }
-  for (const char* role : {Osteotomy::RestFragmentRole, Osteotomy::CutPlanesRole})
+  for (const char* role :
+       {Osteotomy::RestFragmentRole, Osteotomy::CutPlanesRole, Osteotomy::CutCurvesRole})
     m_published.hide_others(osteotomy, role, m_fragments);
 }
 
@@ -147,6 +148,16 @@ void CasePublisher::fragment(std::size_t f, const json& told)
                      "vtkMRMLMarkupsPlaneNode", name + " cut " + std::to_string(p + 1),
                      static_cast<int>(p));
   m_published.hide(osteotomy, Osteotomy::CutPlanesRole + name, static_cast<int>(planes));
+  int c = 0;
+  for (const json& curve : told.value("curves", json::array()))
+  {
+    const auto curve_name = curve.at("name").get<std::string>();
+    m_published.show(osteotomy, Osteotomy::CutCurvesRole + name, cut_curve_file(name, curve_name),
+                     curve.at("closed").get<bool>() ? "vtkMRMLMarkupsClosedCurveNode"
+                                                    : "vtkMRMLMarkupsCurveNode",
+                     name + " cut " + curve_name, c++);
+  }
+  m_published.hide(osteotomy, Osteotomy::CutCurvesRole + name, c);
 }
 
 void CasePublisher::target()

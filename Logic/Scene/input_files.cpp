@@ -3,7 +3,7 @@
 #include "Case/case_folder.hpp"
 #include "Scene/case_publisher.hpp"
 #include "Scene/movement_text.hpp"
-#include "Scene/node_edits.hpp"
+#include "Scene/shown_cuts.hpp"
 
 #include <vtkMRMLFaceToBonePlanNode.h>
 #include <vtkMRMLFaceToBoneTargetNode.h>

@@ -4,14 +4,15 @@
 #include "Bridge/vtk_surface.hpp"
 #include "Case/placed_osteotomies.hpp"
 #include "Core/error.hpp"
-#include "Scene/case_publisher.hpp"
+#include "Scene/plan_settings.hpp"
 
 #include <vtkMRMLFaceToBoneOsteotomyNode.h>
 #include <vtkMRMLFaceToBonePlanNode.h>
 #include <vtkMRMLFaceToBoneTargetNode.h>
 #include <vtkMRMLModelNode.h>
 #include <vtkMRMLStorableNode.h>
-#include <vtkMRMLStorageNode.h>
+
+#include <nlohmann/json.hpp>
 
 #include <vtkPointData.h>
 
@@ -22,49 +23,9 @@ namespace f2b
 namespace
 {
 
+using nlohmann::json;
 using OsteotomyNode = vtkMRMLFaceToBoneOsteotomyNode;
 using TargetNode = vtkMRMLFaceToBoneTargetNode;
-
-/// Closer than this [mm] two places are the same: files keep fewer digits than memory.
-constexpr double same_place_mm = 1e-4;
-
-bool same_plane(const BoundedPlane& a, const BoundedPlane& b)
-{
-  return (a.center - b.center).norm() < same_place_mm &&
-         (a.half_u * a.u - b.half_u * b.u).norm() < same_place_mm &&
-         (a.half_v * a.v - b.half_v * b.v).norm() < same_place_mm;
-}
-
-bool same_planes(const std::vector<BoundedPlane>& a, const std::vector<BoundedPlane>& b)
-{
-  return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), same_plane);
-}
-
-/// Whether a node may say something else than its file: a published one whose data were not read
-/// does not.
-bool holds_data(vtkMRMLStorableNode* node)
-{
-  return node->GetAttribute(published_time_attribute) ||
-         !node->GetAttribute(published_file_attribute);
-}
-
-std::vector<BoundedPlane> planes_of(OsteotomyNode* osteotomy, int n, const Path& scratch)
-{
-  std::vector<BoundedPlane> planes;
-  for (int p = 0; p < osteotomy->GetNthFragmentNumberOfPlanes(n); ++p)
-  {
-    auto* node = vtkMRMLStorableNode::SafeDownCast(osteotomy->GetNthFragmentPlaneNode(n, p));
-    if (!node)
-      continue;
-    const bool in_memory = holds_data(node);
-    if (in_memory)
-      write_node(node, scratch);
-    for (BoundedPlane& plane :
-         read_planes(in_memory ? scratch : Path(node->GetStorageNode()->GetFileName())))
-      planes.push_back(std::move(plane));
-  }
-  return planes;
-}
 
 bool same_displacements(const std::vector<Vec3>& a, const std::vector<Vec3>& b)
 {
@@ -104,15 +65,6 @@ vtkMRMLModelNode* sculpted_model(TargetNode* target)
 
 } // namespace
 
-void write_node(vtkMRMLStorableNode* node, const Path& file)
-{
-  const auto storage = vtkSmartPointer<vtkMRMLStorageNode>::Take(node->CreateDefaultStorageNode());
-  storage->SetFileName(file.c_str());
-  if (!storage->WriteData(node))
-    throw Error(node->GetName() ? node->GetName() : file.string(), "it cannot be written",
-                "check the free space of " + file.parent_path().string());
-}
-
 NodeEdits::~NodeEdits()
 {
   std::error_code ignored;
@@ -132,7 +84,7 @@ Path NodeEdits::temporary_file(const std::string& name)
   return m_temporary / name;
 }
 
-void NodeEdits::collect_planes(const Path& folder, const CaseNodes& nodes)
+void NodeEdits::collect_cuts(const Path& folder, const CaseNodes& nodes)
 {
   OsteotomyNode* osteotomy = nodes.osteotomy;
   std::vector<Osteotomy> placed;
@@ -141,29 +93,51 @@ void NodeEdits::collect_planes(const Path& folder, const CaseNodes& nodes)
   for (int n = 0; n < osteotomy->GetNumberOfFragments(); ++n)
   {
     const std::string name = osteotomy->GetNthFragmentName(n);
-    const std::vector<BoundedPlane> planes =
-        planes_of(osteotomy, n, temporary_file("plane.mrk.json"));
+    const ShownCuts cuts = shown_cuts(osteotomy, n, temporary_file("shown.mrk.json"));
     const auto before = std::find_if(placed.begin(), placed.end(),
                                      [&](const Osteotomy& o) { return o.fragment == name; });
-    if (planes.empty() || (before != placed.end() && same_planes(before->planes, planes)))
-      continue;
-    double point[3];
-    if (!osteotomy->GetNthFragmentPoint(n, point))
-    {
-      if (before == placed.end())
-        throw Error("fragment '" + name + "'", "it is cut by planes, but no point of it is known",
-                    "give a point on the bone that is to be free");
-      osteotomy->SetNthFragmentPoint(n, before->fragment_point.data());
-    }
-    const Path file = temporary_file("planes " + std::to_string(n) + ".mrk.json");
-    write_planes(file, planes);
-    m_planes[name] = {file};
-    std::vector<std::string> final_names;
-    for (std::size_t p = 0; p < planes.size(); ++p)
-      final_names.push_back((folder / cut_plane_file(name, p)).string());
-    osteotomy->SetNthFragmentTemplate(n, "");
-    osteotomy->SetNthFragmentPlaneFileNames(n, final_names);
+    const Osteotomy* known = before != placed.end() ? &*before : nullptr;
+    if (!cuts.empty() && !(known && same_cuts(cuts, *known)))
+      keep_cuts(osteotomy, n, cuts, known);
   }
+}
+
+void NodeEdits::keep_cuts(OsteotomyNode* osteotomy, int n, const ShownCuts& cuts,
+                          const Osteotomy* placed)
+{
+  const std::string name = osteotomy->GetNthFragmentName(n);
+  double point[3];
+  if (!osteotomy->GetNthFragmentPoint(n, point))
+  {
+    if (!placed)
+      throw Error("fragment '" + name + "'",
+                  "it is cut by planes or curves, but no point of it is known",
+                  "give a point on the bone that is to be free");
+    osteotomy->SetNthFragmentPoint(n, placed->fragment_point.data());
+  }
+  CutFiles files;
+  std::vector<std::string> plane_names;
+  if (!cuts.planes.empty())
+  {
+    files.planes = {temporary_file("planes " + std::to_string(n) + ".mrk.json")};
+    write_planes(files.planes.front(), cuts.planes);
+    for (std::size_t p = 0; p < cuts.planes.size(); ++p)
+      plane_names.push_back(cut_plane_file(name, p));
+  }
+  for (const ShownCurve& curve : cuts.curves)
+  {
+    files.curves.push_back(temporary_file(cut_curve_file(name, curve.name)));
+    write_points(files.curves.back(), curve.markup);
+  }
+  json rest = rest_from_text(osteotomy->GetNthFragmentOtherSettings(n));
+  const json curves = curve_settings(cuts, name, rest.value("curves", json::array()), placed);
+  rest.erase("curves");
+  if (!curves.empty())
+    rest["curves"] = curves;
+  osteotomy->SetNthFragmentTemplate(n, "");
+  osteotomy->SetNthFragmentPlaneFileNames(n, plane_names);
+  osteotomy->SetNthFragmentOtherSettings(n, text_of_rest(rest));
+  m_cuts[name] = std::move(files);
 }
 
 void NodeEdits::collect_target(const Path& folder, const CaseNodes& nodes)
@@ -198,7 +172,7 @@ void NodeEdits::collect_target(const Path& folder, const CaseNodes& nodes)
   m_target = temporary_file("target.vtp");
   write_surface(m_target, moved);
   nodes.target->SetKind(TargetNode::Mesh);
-  nodes.target->SetMeshFileName(known.string());
+  nodes.target->SetMeshFileName(known.filename().string());
 }
 
 void NodeEdits::collect_landmarks(const Path& folder, const CaseNodes& nodes)
@@ -225,8 +199,12 @@ void NodeEdits::collect_landmarks(const Path& folder, const CaseNodes& nodes)
 void NodeEdits::apply(CaseSession& session) const
 {
   for (OsteotomySettings& o : session.settings.osteotomies)
-    if (const auto planes = m_planes.find(o.fragment); planes != m_planes.end())
-      o.planes = planes->second;
+    if (const auto cuts = m_cuts.find(o.fragment); cuts != m_cuts.end())
+    {
+      o.planes = cuts->second.planes;
+      for (std::size_t c = 0; c < o.curves.size() && c < cuts->second.curves.size(); ++c)
+        o.curves[c].markup = cuts->second.curves[c];
+    }
   if (has_target())
     session.settings.target.mesh = m_target;
 }

@@ -1,6 +1,7 @@
 #include "Scene/plan_results.hpp"
 
 #include "Bridge/json_file.hpp"
+#include "Case/library_versions.hpp"
 #include "Scene/movement_text.hpp"
 
 #include <vtkMRMLFaceToBonePlanNode.h>
@@ -8,6 +9,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <ctime>
+
+#include <sys/stat.h>
 
 namespace f2b
 {
@@ -81,6 +85,38 @@ std::vector<std::string> suggestion_lines(const json& suggestion)
   return lines;
 }
 
+/// When a file was written, as 2026-11-28T13:05:00Z.
+std::string date_of(const Path& file)
+{
+  struct stat status = {};
+  char text[32] = "";
+  std::tm utc = {};
+  if (::stat(file.c_str(), &status) == 0 && ::gmtime_r(&status.st_mtime, &utc))
+    std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc);
+  return text;
+}
+
+/// With what the case was made, as JSON: of the plan, or of the segmentation while there is none.
+std::string provenance(const CaseOutlook& files, const json& segment, const json& told)
+{
+  const std::string made = files.has("plan.json") ? "plan.json" : "segment.json";
+  if (!files.has(made))
+    return {};
+  json methods = json::array();
+  const json found = told.value("methods", json::object());
+  for (const auto& method : found.items())
+    methods.push_back(method.key());
+  json versions = json::object();
+  for (const auto& [name, version] : library_versions())
+    versions[name] = version;
+  return json{{"date", date_of(files.file(made))},
+              {"made", made},
+              {"methods", methods},
+              {"ct_nrrd_sha256", segment.value("ct_nrrd_sha256", "")},
+              {"versions", versions}}
+      .dump();
+}
+
 } // namespace
 
 void read_results(const CaseOutlook& files, Plan* plan)
@@ -91,6 +127,7 @@ void read_results(const CaseOutlook& files, Plan* plan)
   std::vector<std::string> warnings, findings;
   const json segment = json_of(files, "segment.json"), mesh = json_of(files, "mesh.json"),
              told = json_of(files, "plan.json");
+  plan->SetProvenance(provenance(files, segment, told));
   add_figures(segment, "segment", plan);
   add_figures(mesh, "mesh", plan);
   for (const char* key : {"timing_s", "reachability", "bite"})

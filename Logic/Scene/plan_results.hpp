@@ -9,7 +9,7 @@ namespace f2b
 {
 
 /// Movements, intervals, figures, warnings and findings of plan.json, mesh.json, segment.json and
-/// suggest.json; what a file that is no more said is forgotten.
+/// suggest.json, and with what they were made; what a file that is no more said is forgotten.
 void read_results(const CaseOutlook& files, vtkMRMLFaceToBonePlanNode* plan);
 
 /// Current where the step's results are there.

@@ -1,6 +1,7 @@
 #include "Scene/plan_step.hpp"
 
 #include "Bridge/json_file.hpp"
+#include "Case/settings_paths.hpp"
 #include "Core/error.hpp"
 #include "Scene/input_files.hpp"
 
@@ -62,21 +63,21 @@ bool needs_new_target(const StepRequest& request)
 /// Whether a step reads the cut bone that the edits have changed.
 bool needs_new_cut(const StepRequest& request)
 {
-  return request.edits && request.edits->has_planes() &&
+  return request.edits && request.edits->has_cuts() &&
          (request.step == PlanNode::Mesh || request.step == PlanNode::Plan ||
           request.step == PlanNode::Predict);
 }
 
 } // namespace
 
-StepRequest prepare_step(const CaseNodes& nodes, int step, const Path& source)
+StepRequest prepare_step(const CaseNodes& nodes, int step, const SettingsOrigin& origin)
 {
   StepRequest request;
   request.step = step;
   request.folder = nodes.plan->GetCaseFolder();
   if (request.folder.empty())
     throw Error("the case folder", "it cannot be made without a name", "choose a folder");
-  request.source = source;
+  request.source = origin.name;
   request.suggest.confirm = nodes.plan->GetSuggestConfirm();
   if (nodes.plan->GetSuggestDensity() > 0)
     request.suggest.density = nodes.plan->GetSuggestDensity();
@@ -87,13 +88,15 @@ StepRequest prepare_step(const CaseNodes& nodes, int step, const Path& source)
   else
   {
     request.edits->collect_landmarks(request.folder, nodes);
-    request.edits->collect_planes(request.folder, nodes);
+    request.edits->collect_cuts(request.folder, nodes);
     request.edits->collect_target(request.folder, nodes);
     write_warp_nodes(nodes, request.folder);
   }
   request.document = settings_from_nodes(nodes);
   if (begins_case(step))
     complete_target(request.document);
+  parse_settings(request.document, origin.name); // whether it is valid, in words
+  request.document = with_absolute_paths(request.document, origin.file);
   return request;
 }
 
@@ -112,7 +115,8 @@ void compute_step(const StepRequest& request, const Progress& progress, const Co
       {
         // most steps leave the settings as they found them; an exported deck states its own
         if (changed && request.step != export_step)
-          write_json(files.staging / case_settings_name, session.document);
+          write_json(files.staging / case_settings_name,
+                     with_folder_paths(session.document, files.folder));
         if (hook)
           hook(files);
       });

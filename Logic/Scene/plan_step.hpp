@@ -22,7 +22,7 @@ struct StepRequest
 {
   int step = 0; ///< of vtkMRMLFaceToBonePlanNode, or an ExtraStep
   Path folder;
-  nlohmann::json document; ///< what the nodes ask for
+  nlohmann::json document; ///< what the nodes ask for, paths absolute
   Path source;             ///< of the document
   SuggestOptions suggest;
   ExportOptions exported;
@@ -30,10 +30,16 @@ struct StepRequest
   std::shared_ptr<NodeEdits> edits;
 };
 
+/// Where the settings of nodes come from.
+struct SettingsOrigin
+{
+  Path name; ///< for messages
+  Path file; ///< relative paths start in its folder; may not exist
+};
+
 /// Reads settings and edits off the nodes, in the thread that owns the scene. Throws Error where
-/// something is missing.
-/// \param source  where the settings come from, for messages and relative paths
-StepRequest prepare_step(const CaseNodes& nodes, int step, const Path& source);
+/// something is missing or wrong.
+StepRequest prepare_step(const CaseNodes& nodes, int step, const SettingsOrigin& origin);
 
 /// Does a step; throws as the verbs do.
 void compute_step(const StepRequest& request, const Progress& progress, const CommitHook& hook);

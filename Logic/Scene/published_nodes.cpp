@@ -95,6 +95,11 @@ vtkMRMLStorableNode* PublishedNodes::show(vtkMRMLNode* owner, const std::string&
   auto* node = vtkMRMLStorableNode::SafeDownCast(owner->GetNthNodeReference(role.c_str(), index));
   if (node && !node->GetAttribute(published_file_attribute))
     return node; // the user's own, which the step has read
+  if (node && node->GetClassName() != std::string(class_name)) // an open curve that was closed
+  {
+    hide(owner, role, index);
+    node = nullptr;
+  }
   if (!node)
   {
     node = make(class_name, name);

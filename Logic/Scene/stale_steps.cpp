@@ -1,6 +1,7 @@
 #include "Scene/stale_steps.hpp"
 
 #include "Bridge/json_file.hpp"
+#include "Case/case_settings.hpp"
 #include "Scene/plan_results.hpp"
 
 #include <vtkMRMLFaceToBonePlanNode.h>
@@ -37,9 +38,10 @@ json settings_of_step(int step, const json& document)
   switch (step)
   {
   case Plan::Segment:
-    return parts({"ct", "landmarks", "thresholds", "region_ras", "segmentation"});
+    return parts(
+        {"ct", "series", "grey_values", "landmarks", "thresholds", "region_ras", "segmentation"});
   case Plan::Cut:
-    return osteotomies;
+    return {osteotomies, parts({"protected"})};
   case Plan::Mesh:
     return parts({"mesh", "skin_thickness_mm"});
   case Plan::Target:
@@ -89,8 +91,11 @@ void mark_stale_steps(const CaseOutlook& files, const CaseNodes& nodes)
   set_step_statuses(files, nodes.plan);
   if (!files.has(case_settings_name))
     return;
-  const json now = settings_from_nodes(nodes),
-             then = canonical_settings(read_json(files.file(case_settings_name)));
+  // paths relative or not are the same files
+  const Path source = files.folder / case_settings_name;
+  const json now = with_absolute_paths(settings_from_nodes(nodes), source),
+             then = with_absolute_paths(
+                 canonical_settings(read_json(files.file(case_settings_name))), source);
   for (int step = 0; step < Plan::Step_Last; ++step)
     if (settings_of_step(step, now) != settings_of_step(step, then))
     {

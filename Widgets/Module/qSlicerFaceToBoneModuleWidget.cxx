@@ -261,8 +261,11 @@ void qSlicerFaceToBoneModuleWidgetPrivate::takeCuts()
   if (chosen == osteotomy->GetNthFragmentTemplate(0))
     return;
   osteotomy->SetNthFragmentTemplate(0, chosen);
-  if (is_template) // planes of an earlier cut would be taken for edits of this one
+  if (is_template) // those of an earlier cut would be taken for edits of this one
+  {
     osteotomy->RemoveNthFragmentPlaneNodeIDs(0);
+    osteotomy->RemoveNthFragmentCurveNodeIDs(0);
+  }
 }
 
 void qSlicerFaceToBoneModuleWidgetPrivate::takeTarget()

@@ -2,6 +2,7 @@
 #include "temporary_folder.hpp"
 
 #include <Case/case_settings.hpp>
+#include <Case/settings_paths.hpp>
 
 #include <cstdlib>
 
@@ -303,6 +304,22 @@ TEST(CaseSettings, KeptDocumentHasAbsolutePaths)
   EXPECT_EQ(with_absolute_paths(kept, "/elsewhere/case.json"), kept);
   EXPECT_EQ(with_absolute_paths(with("/materials", "table1-stable"), source)["materials"],
             "table1-stable");
+}
+
+TEST(CaseSettings, FilesWithinACaseFolderAreNamedByIt)
+{
+  json document =
+      with("/target", {{"warp", {{"from", "/case ü/f.json"}, {"to", "/cases/t.json"}}}});
+  document["osteotomies"][0]["planes"] = {"/case ü/cut_1.mrk.json", "/case ü/../p.mrk.json"};
+  document["osteotomies"][0]["curves"] = {{{"markup", "/case ü/in/c.mrk.json"}}};
+  document["protected"] = {{{"name", "nerve"}, {"curve", "/case ü/n.mrk.json"}}};
+  const json kept = with_folder_paths(document, "/case ü");
+  EXPECT_EQ(kept["target"]["warp"], (json{{"from", "f.json"}, {"to", "/cases/t.json"}}));
+  EXPECT_EQ(kept["osteotomies"][0]["planes"], (json{"cut_1.mrk.json", "/case ü/../p.mrk.json"}));
+  EXPECT_EQ(kept["osteotomies"][0]["curves"][0]["markup"], "in/c.mrk.json");
+  EXPECT_EQ(kept["protected"][0]["curve"], "n.mrk.json");
+  EXPECT_EQ(with_absolute_paths(kept, "/elsewhere/case.json")["target"]["warp"]["from"],
+            "/elsewhere/f.json");
 }
 
 TEST(CaseSettings, MovementsOfUnknownFragmentsAreNamed)

@@ -1,11 +1,14 @@
 #include "Logic/Scene/logic_case.hpp"
 
 #include "Bridge/json_file.hpp"
+#include "Bridge/markups.hpp"
 #include "Bridge/vtk_surface.hpp"
 #include "Case/case_folder.hpp"
+#include "Case/file_checksum.hpp"
 
 #include <vtkMRMLDisplayNode.h>
 #include <vtkMRMLLinearTransformNode.h>
+#include <vtkMRMLMarkupsCurveNode.h>
 #include <vtkMRMLMarkupsPlaneNode.h>
 #include <vtkMRMLModelNode.h>
 #include <vtkMRMLStorageNode.h>
@@ -103,6 +106,12 @@ TEST(LogicTest, AllStepsThroughNodes)
   }
   EXPECT_EQ(plan->GetFigure("rigid-fit/skin_error_mm/mean"),
             told["methods"]["rigid-fit"]["skin_error_mm"]["mean"].get<double>());
+  const json provenance = json::parse(plan->GetProvenance());
+  EXPECT_EQ(provenance["ct_nrrd_sha256"], sha256_of(folder / "case/ct.nrrd"));
+  EXPECT_EQ(provenance["methods"], (json{"rigid-fit", "virtual-force"}));
+  EXPECT_EQ(provenance["date"].get<std::string>().size(),
+            std::string("2026-11-28T13:00:00Z").size());
+  EXPECT_TRUE(provenance["versions"].contains("FaceToBone"));
   expect_scene_and_folder_agree(folder / "case");
 
   // a target sculpted on the node goes into the case before the plan
@@ -177,6 +186,133 @@ struct SegmentedCase
   LogicScene world;
   Plan* plan = nullptr;
 };
+
+TEST(LogicTest, CurvesAreMarkupsThatCanBeDragged)
+{
+  SegmentedCase c;
+  auto* osteotomy = c.plan->GetOsteotomyNode();
+  osteotomy->SetNthFragmentTemplate(0, "zygoma-left");
+  ASSERT_TRUE(c.world.logic->Cut(c.plan)) << c.plan->GetStatusText();
+  ASSERT_EQ(osteotomy->GetNthFragmentNumberOfCurves(0), 1);
+  auto* curve = vtkMRMLMarkupsCurveNode::SafeDownCast(osteotomy->GetNthFragmentCurveNode(0, 0));
+  ASSERT_NE(curve, nullptr);
+  const int count = curve->GetNumberOfControlPoints();
+  ASSERT_GT(count, 2);
+  ASSERT_TRUE(c.world.logic->Cut(c.plan)) << c.plan->GetStatusText();
+  const auto entry = [&c] { return read_json(c.folder / "case/case.json")["osteotomies"][0]; };
+  EXPECT_EQ(entry().value("template", ""), "zygoma-left"); // nothing was dragged
+
+  double place[3];
+  curve->GetNthControlPointPosition(count - 1, place);
+  place[2] -= 0.5;
+  curve->SetNthControlPointPosition(count - 1, place);
+  ASSERT_TRUE(c.world.logic->Cut(c.plan)) << c.plan->GetStatusText();
+  const json edited = entry();
+  EXPECT_FALSE(edited.contains("template"));
+  ASSERT_EQ(edited["curves"].size(), 1u);
+  EXPECT_TRUE(edited["curves"][0].contains("depth_mm")); // the template's
+  EXPECT_EQ(edited["planes"].size(), 1u);
+  const auto file = edited["curves"][0]["markup"].get<std::string>();
+  EXPECT_EQ(file.find('/'), std::string::npos);
+  const PointMarkup drawn = read_points(c.folder / "case" / file);
+  EXPECT_NEAR((drawn.points.back().position - Vec3(place[0], place[1], place[2])).norm(), 0, 1e-4);
+
+  // the folder holds all of it
+  std::filesystem::rename(c.folder / "case", c.folder / "elsewhere");
+  LogicScene again;
+  Plan* plan = again.logic->OpenCase((c.folder / "elsewhere").string());
+  ASSERT_NE(plan, nullptr) << again.logic->GetErrorText();
+  ASSERT_TRUE(again.logic->Cut(plan)) << plan->GetStatusText();
+  for (const char* name : {"case.json", "case.mrml"})
+    EXPECT_EQ(read_text(c.folder / "elsewhere" / name).find(c.folder.path().string()),
+              std::string::npos)
+        << name;
+  EXPECT_EQ(read_json(c.folder / "elsewhere/case.json")["osteotomies"][0], edited);
+  expect_scene_and_folder_agree(c.folder / "elsewhere");
+}
+
+TEST(LogicTest, TwoCasesInOneSceneDoNotDisturbEachOther)
+{
+  SegmentedCase c;
+  std::filesystem::copy(c.folder / "case", c.folder / "other",
+                        std::filesystem::copy_options::recursive);
+  vtkSlicerFaceToBoneLogic* logic = c.world.logic;
+  Plan* other = logic->OpenCase((c.folder / "other").string());
+  ASSERT_NE(other, nullptr) << logic->GetErrorText();
+  ASSERT_NE(other, c.plan);
+  EXPECT_NE(other->GetSkinNode(), c.plan->GetSkinNode());
+  EXPECT_NE(other->GetOsteotomyNode(), c.plan->GetOsteotomyNode());
+  EXPECT_EQ(other->GetTargetNode()->GetReferenceSkinNode(), other->GetSkinNode());
+  ASSERT_TRUE(logic->Cut(other)) << other->GetStatusText();
+  EXPECT_EQ(other->GetStepStatus(Plan::Cut), Plan::Current);
+  EXPECT_EQ(c.plan->GetStepStatus(Plan::Cut), Plan::NotDone);
+  EXPECT_EQ(c.plan->GetOsteotomyNode()->GetUncutBoneNode(), nullptr);
+  expect_scene_and_folder_agree(c.folder / "case");
+  expect_scene_and_folder_agree(c.folder / "other");
+}
+
+TEST(LogicTest, ADamagedSceneFileIsMadeAnew)
+{
+  SegmentedCase c;
+  const std::string whole = read_text(c.folder / "case/case.mrml");
+  for (const std::string& damaged :
+       {std::string(), whole.substr(0, whole.size() / 2), std::string("\0\xff scene", 8),
+        std::string("<MRML version=\"Slicer4.4.0\"></MRML>")})
+  {
+    c.folder.write("case/case.mrml", damaged);
+    LogicScene again;
+    Plan* plan = again.logic->OpenCase((c.folder / "case").string());
+    ASSERT_NE(plan, nullptr) << again.logic->GetErrorText();
+    EXPECT_NE(plan->GetSkinNode(), nullptr);
+    EXPECT_EQ(again.scene->GetNumberOfNodesByClass("vtkMRMLFaceToBonePlanNode"), 1);
+    ASSERT_TRUE(again.logic->Cut(plan)) << plan->GetStatusText();
+    expect_scene_and_folder_agree(c.folder / "case");
+  }
+}
+
+TEST(LogicTest, ASceneThatIsOpenedAsAFileDoesItsSteps)
+{
+  SegmentedCase c;
+  LogicScene other;
+  other.scene->SetURL((c.folder / "case/case.mrml").c_str());
+  ASSERT_EQ(other.scene->Connect(), 1);
+  auto* plan = Plan::SafeDownCast(other.scene->GetFirstNodeByClass("vtkMRMLFaceToBonePlanNode"));
+  ASSERT_NE(plan, nullptr);
+  EXPECT_TRUE(std::filesystem::equivalent(plan->GetCaseFolder(), c.folder / "case"));
+  const int before = other.scene->GetNumberOfNodesByClass("vtkMRMLModelNode");
+  ASSERT_TRUE(other.logic->Cut(plan)) << plan->GetStatusText();
+  EXPECT_EQ(plan->GetStepStatus(Plan::Cut), Plan::Current);
+  EXPECT_EQ(other.scene->GetNumberOfNodesByClass("vtkMRMLModelNode"), before + 2);
+  expect_scene_and_folder_agree(c.folder / "case");
+}
+
+TEST(LogicTest, AClosedSceneEndsItsStep)
+{
+  SegmentedCase c;
+  const std::string before = read_text(c.folder / "case/case.mrml");
+  const vtkSmartPointer<Plan> kept = c.plan; // as an undo stack may
+  ASSERT_TRUE(c.world.logic->Start(c.plan, Plan::Cut));
+  c.world.scene->Clear(0);
+  wait_for_end(c.world.logic);
+  EXPECT_EQ(c.world.scene->GetNumberOfNodesByClass("vtkMRMLModelNode"), 0);
+  EXPECT_EQ(read_text(c.folder / "case/case.mrml"), before);
+  EXPECT_FALSE(std::filesystem::exists(c.folder / "case/cut.json"));
+}
+
+TEST(LogicTest, NodesThatAreDeletedDuringAStepComeBack)
+{
+  SegmentedCase c;
+  ASSERT_TRUE(c.world.logic->Start(c.plan, Plan::Cut));
+  c.world.scene->RemoveNode(c.plan->GetOsteotomyNode());
+  c.world.scene->RemoveNode(c.plan->GetSkinNode());
+  wait_for_end(c.world.logic);
+  EXPECT_EQ(c.plan->GetStatusCode(), 0) << c.plan->GetStatusText();
+  ASSERT_NE(c.plan->GetOsteotomyNode(), nullptr);
+  EXPECT_EQ(c.plan->GetOsteotomyNode()->GetNthFragmentName(0), "mid-face");
+  EXPECT_NE(c.plan->GetOsteotomyNode()->GetUncutBoneNode(), nullptr);
+  EXPECT_NE(c.plan->GetSkinNode(), nullptr);
+  expect_scene_and_folder_agree(c.folder / "case");
+}
 
 TEST(LogicTest, StepsInAThreadEndLikeOthers)
 {

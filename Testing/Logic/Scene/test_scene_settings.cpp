@@ -1,9 +1,13 @@
 #include "Logic/Scene/logic_case.hpp"
 
+#include "Bridge/resources.hpp"
 #include "Case/case_settings.hpp"
 #include "Scene/scene_settings.hpp"
 
 #include <gtest/gtest.h>
+
+#include <functional>
+#include <set>
 
 namespace f2b::test
 {
@@ -12,28 +16,63 @@ namespace
 
 using nlohmann::json;
 
-/// Every key of the schema, none at its default.
+/// Six different numbers, one a coordinate.
+json for_each_coordinate(const std::function<json(double)>& value)
+{
+  json members;
+  double number = 1;
+  for (const char* key : {"right", "anterior", "superior", "pitch", "roll", "yaw"})
+    members[key] = value(number++);
+  return members;
+}
+
+json full_osteotomies()
+{
+  json upper = {{"fragment", "mid-face"}, {"template", "le-fort-3"}, {"kerf_mm", 0.7}};
+  upper["movement"] = {{"locked", {"roll", "yaw"}},
+                       {"bounds", for_each_coordinate(
+                                      [](double n) {
+                                        return json{-n, n / 3};
+                                      })},
+                       {"prior", for_each_coordinate(
+                                     [](double n) {
+                                       return json{{"expected", n}, {"sd", n / 7}};
+                                     })},
+                       {"bite", {{"with", "chin"}, {"splint", "/a/s.tfm"}, {"tolerance_mm", 0.5}}}};
+  json lower = {{"fragment", "chin"},
+                {"planes", {"/a/p1.mrk.json", "/a/p2.mrk.json"}},
+                {"fragment_point_ras", {0.5, 80.25, -100.125}}};
+  lower["curves"] = {{{"markup", "/a/c.mrk.json"},
+                      {"direction_ras", {0.0, -0.6, 0.8}},
+                      {"depth_mm", 12.5},
+                      {"lead_mm", 3.5},
+                      {"straight", true}}};
+  lower["movement"] = {
+      {"hinge", {{"axis", {"Co_R", "Co_L"}}, {"bounds_deg", {-2.5, 7.5}}}},
+      {"bite", {{"points", {{"from", "/a/f.mrk.json"}, {"to", "/a/t.mrk.json"}}}}}};
+  return {upper, lower};
+}
+
+/// Every key of the schema but those of other kinds of target, none at its default.
 json full_case()
 {
   json document = smallest_case();
   document["name"] = "A";
   document["notes"] = "line 1\nline; 2 100 %";
+  document["series"] = "3";
+  document["grey_values"] = "cbct";
   document["thresholds"] = {{"skin_hu", -249.5}, {"bone_hu", 251.25}};
   document["region_ras"] = {{"min", {-76.1, -10, -134}}, {"max", {76, 115, 1.0 / 3}}};
-  document["segmentation"] = {
-      {"spacing_mm", 1.5}, {"head_closing_mm", 4.0}, {"bone_closing_mm", 7.0}};
+  document["segmentation"] = {{"spacing_mm", 1.5},        {"head_closing_mm", 4.0},
+                              {"bone_closing_mm", 7.0},   {"bone", "level-set"},
+                              {"seeds", "/a/s.mrk.json"}, {"labels", "/a/l.seg.nrrd"}};
   document["skin_thickness_mm"] = 1.6;
-  document["osteotomies"][0]["kerf_mm"] = 0.7;
-  document["osteotomies"][0]["movement"] = {
-      {"locked", {"roll", "yaw"}},
-      {"bounds", {{"anterior", {0.0, 8.5}}, {"pitch", {-3.0, 3.0}}}},
-      {"prior", {{"superior", {{"expected", 0.5}, {"sd", 1.5}}}}},
-      {"bite", json::object()}};
-  document["osteotomies"].push_back({{"fragment", "chin"},
-                                     {"planes", {"/a/p1.mrk.json", "/a/p2.mrk.json"}},
-                                     {"fragment_point_ras", {0.5, 80.25, -100.125}},
-                                     {"movement", {{"hinge", {{"axis", {"Co_R", "Co_L"}}}}}}});
-  document["target"] = {{"scan", {{"mesh", "/a/s.stl"}, {"reach_mm", 25.5}}}, {"mask_mm", 1.5}};
+  document["osteotomies"] = full_osteotomies();
+  document["protected"] = {{{"name", "nerve"}, {"curve", "/a/n.mrk.json"}, {"margin_mm", 1.5}},
+                           {{"name", "roots"}, {"mesh", "/a/r.stl"}}};
+  document["target"] = {{"scan", {{"mesh", "/a/s.stl"}, {"reach_mm", 25.5}}},
+                        {"registration_sd_mm", 0.4},
+                        {"mask_mm", 1.5}};
   document["materials"] = "table1";
   document["mesh"] = {{"density", 0.15}, {"release_margin_mm", 4.5}, {"contact_tolerance_mm", 2.5}};
   document["solver"] = {{"threads", 1},
@@ -52,6 +91,46 @@ json full_case()
        {{"translation_mm", {{"right", 1.0}, {"anterior", 2.5}, {"superior", -3.0}}},
         {"rotation_deg", {{"pitch", 4.0}, {"roll", 0.1}, {"yaw", 6.0}}}}}};
   return document;
+}
+
+/// The targets that full_case has not.
+std::vector<json> other_targets()
+{
+  const json still = {{"translation_mm", {{"right", 0.0}, {"anterior", 5.0}, {"superior", 0.0}}},
+                      {"rotation_deg", {{"pitch", 0.0}, {"roll", 0.0}, {"yaw", 0.0}}}};
+  return {json{{"mesh", "/a/skin.vtp"}}, json{{"scan", {{"mesh", "/a/s.ply"}}}},
+          json{{"warp", {{"from", "/f"}, {"to", "/t"}, {"radius_mm", 80.0}}}},
+          json{{"from_movement", {{"mid-face", still}}}}};
+}
+
+/// The settings that a rule of the schema knows, as paths; \p document only those that it has, if it
+/// is not null. Members of any name and of arrays count as one.
+void add_settings(const json& schema, const json& any_rule, const json* document,
+                  const std::string& path, std::set<std::string>& settings)
+{
+  const json& rule =
+      any_rule.contains("$ref")
+          ? schema.at(json::json_pointer(any_rule["$ref"].get<std::string>().substr(1)))
+          : any_rule;
+  for (const char* members : {"items", "additionalProperties"})
+    if (rule.contains(members) && rule[members].is_object())
+    {
+      if (!document)
+        add_settings(schema, rule[members], nullptr, path + "/*", settings);
+      else
+        for (const json& member : *document)
+          add_settings(schema, rule[members], &member, path + "/*", settings);
+      return;
+    }
+  if (!rule.contains("properties"))
+  {
+    settings.insert(path);
+    return;
+  }
+  for (const auto& [key, member] : rule["properties"].items())
+    if (!document || document->contains(key))
+      add_settings(schema, member, document ? &document->at(key) : nullptr, path + "/" + key,
+                   settings);
 }
 
 /// Nodes of a scene of their own.
@@ -88,13 +167,22 @@ TEST(SceneSettingsTest, EverySettingComesBackThroughASceneFile)
   EXPECT_EQ(settings_from_nodes(CaseNodes::of(plan)), full_case());
 }
 
+TEST(SceneSettingsTest, TheFullCaseHasEverySettingOfTheSchema)
+{
+  const json schema = json::parse(*carried_resource("Schema/case.schema.json"));
+  std::set<std::string> all, seen;
+  add_settings(schema, schema, nullptr, "", all);
+  const json full = full_case();
+  add_settings(schema, schema, &full, "", seen);
+  for (const json& target : other_targets())
+    add_settings(schema, schema["properties"]["target"], &target, "/target", seen);
+  EXPECT_GT(all.size(), 60u);
+  EXPECT_EQ(all, seen);
+}
+
 TEST(SceneSettingsTest, EachKindOfTargetComesBack)
 {
-  const json still = {{"translation_mm", {{"right", 0.0}, {"anterior", 5.0}, {"superior", 0.0}}},
-                      {"rotation_deg", {{"pitch", 0.0}, {"roll", 0.0}, {"yaw", 0.0}}}};
-  for (const json& target : {json{{"mesh", "/a/skin.vtp"}}, json{{"scan", {{"mesh", "/a/s.ply"}}}},
-                             json{{"warp", {{"from", "/f"}, {"to", "/t"}, {"radius_mm", 80.0}}}},
-                             json{{"from_movement", {{"mid-face", still}}}}})
+  for (const json& target : other_targets())
   {
     Nodes n;
     json document = smallest_case();
