@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <optional>
 
 namespace f2b
 {
@@ -26,6 +27,11 @@ std::string one_digit(double value)
   char text[32];
   std::snprintf(text, sizeof text, "%.1f", value);
   return text;
+}
+
+std::string in_brackets(const Vec3& p)
+{
+  return "(" + one_digit(p.x()) + ", " + one_digit(p.y()) + ", " + one_digit(p.z()) + ")";
 }
 
 /// How near the cuts come to what they should spare; warnings go to `notes`.
@@ -47,9 +53,8 @@ json clearances(const std::vector<ProtectedSettings>& structures,
     if (near)
       notes.push_back("The cut " + c.cut +
                       (cut ? " goes through " : " is " + one_digit(c.distance_mm) + " mm from ") +
-                      "the protected structure '" + structure.name + "' at RAS (" +
-                      one_digit(c.at.x()) + ", " + one_digit(c.at.y()) + ", " +
-                      one_digit(c.at.z()) + ").");
+                      "the protected structure '" + structure.name + "' at RAS " +
+                      in_brackets(c.at) + ".");
   }
   return told;
 }
@@ -106,18 +111,25 @@ json write_fragment(CaseChange& change, const Osteotomy& o, const TriangleMesh& 
 CutSurfaces sawn_surfaces(const TriangleMesh& bone, BonePartition& partition)
 {
   const BonePartition drawn = partition;
-  for (const double room_mm : {4.0, 8.0})
+  std::optional<Error> refusal;
+  for (const double room_mm : {4.0, 8.0, 16.0})
+  {
+    partition.osteotomies = trimmed_cuts(drawn, room_mm);
     try
     {
-      partition.osteotomies = trimmed_cuts(drawn, room_mm);
-      return cut_surfaces(bone, partition);
+      auto cut = cut_surfaces(bone, partition);
+      if (auto* surfaces = std::get_if<CutSurfaces>(&cut))
+        return std::move(*surfaces);
+      refusal = bridge_error(std::get<BoneBridge>(cut), partition);
     }
-    catch (const Error&)
+    catch (const Error& error)
     {
-      // more room may do; what is wrong with the bone itself comes up again
+      if (error.kind() != ErrorKind::Numerical) // which other blades may not meet
+        throw;
+      refusal = error;
     }
-  partition.osteotomies = trimmed_cuts(drawn, 16);
-  return cut_surfaces(bone, partition);
+  }
+  throw *refusal;
 }
 
 } // namespace

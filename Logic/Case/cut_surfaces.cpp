@@ -1,6 +1,5 @@
 #include "Case/cut_surfaces.hpp"
 
-#include "Core/error.hpp"
 #include "Core/geometry/saw_blade.hpp"
 #include "Core/mesh/contact.hpp"
 #include "Meshing/saw_bone.hpp"
@@ -8,6 +7,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <optional>
 
 namespace f2b
 {
@@ -72,36 +72,49 @@ std::string part_name(std::size_t part, const BonePartition& partition)
                    : "'" + partition.osteotomies[part - 1].fragment + "'";
 }
 
-/// The part that a shell belongs to; throws where two parts share it.
-std::size_t owner(const Shares& shares, const BonePartition& partition)
+std::size_t owner(const Shares& shares)
 {
-  const auto most = static_cast<std::size_t>(
-      std::max_element(shares.area.begin(), shares.area.end()) - shares.area.begin());
+  return static_cast<std::size_t>(std::max_element(shares.area.begin(), shares.area.end()) -
+                                  shares.area.begin());
+}
+
+/// Of a shell that two parts share.
+std::optional<BoneBridge> bridge_in(const Shares& shares)
+{
   // walls of cavities and crumbs near a cut may be ascribed to the wrong side of it
   constexpr double tolerated_mm2 = 60, tolerated_share = 0.05;
+  const std::size_t most = owner(shares);
   for (std::size_t part = 0; part < shares.area.size(); ++part)
     if (part != most && shares.area[part] > tolerated_mm2 &&
         shares.area[part] > tolerated_share * shares.area[most])
-    {
-      char place[64];
-      const Vec3& p = shares.place[part];
-      std::snprintf(place, sizeof place, "(%.0f, %.0f, %.0f)", p.x(), p.y(), p.z());
-      throw Error("cut",
-                  "a bridge of bone is left between " + part_name(most, partition) + " and " +
-                      part_name(part, partition) + ", which has its piece near RAS " + place,
-                  "enlarge the cut there, or widen its kerf");
-    }
-  return most;
+      return BoneBridge{most, part, shares.place[part]};
+  return std::nullopt;
 }
 
 } // namespace
 
-CutSurfaces cut_surfaces(const TriangleMesh& bone, const BonePartition& partition)
+Error bridge_error(const BoneBridge& bridge, const BonePartition& partition)
+{
+  char place[64];
+  std::snprintf(place, sizeof place, "(%.0f, %.0f, %.0f)", bridge.place.x(), bridge.place.y(),
+                bridge.place.z());
+  return {"cut",
+          "a bridge of bone is left between " + part_name(bridge.part, partition) + " and " +
+              part_name(bridge.other, partition) + ", which has its piece near RAS " + place,
+          "enlarge the cut there, or widen its kerf"};
+}
+
+std::variant<CutSurfaces, BoneBridge> cut_surfaces(const TriangleMesh& bone,
+                                                   const BonePartition& partition)
 {
   const SawnBone sawn = saw_bone(bone, blades_of(partition.osteotomies));
   std::vector<std::size_t> owners;
   for (const Shares& shares : shares_of(sawn, partition))
-    owners.push_back(owner(shares, partition));
+  {
+    if (const auto bridge = bridge_in(shares))
+      return *bridge;
+    owners.push_back(owner(shares));
+  }
   CutSurfaces result;
   result.bone_mm3 = sawn.bone_mm3;
   result.kerf_mm3 = sawn.kerf_mm3;

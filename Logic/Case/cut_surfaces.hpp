@@ -1,6 +1,9 @@
 #pragma once
 
+#include "Core/error.hpp"
 #include "Core/geometry/osteotomy.hpp"
+
+#include <variant>
 
 /// Which closed surfaces have the pieces of the sawn bone?
 namespace f2b
@@ -15,10 +18,20 @@ struct CutSurfaces
   double imbalance = 0; ///< |parts + kerf - bone| / bone
 };
 
-/// Saws `bone` exactly along the cuts of the partition's osteotomies.
+/// Bone that the saw left between two parts.
+struct BoneBridge
+{
+  std::size_t part = 0, other = 0; ///< 0: uncut bone, 1 + index: a fragment
+  Vec3 place = Vec3::Zero();       ///< on the smaller share of the piece that both are [mm, RAS]
+};
+
+/// "a bridge of bone is left between ...", with its place and a remedy, as bad input.
+Error bridge_error(const BoneBridge& bridge, const BonePartition& partition);
+
+/// Saws `bone` exactly along the cuts of the partition's osteotomies; a bridge if that leaves one.
 /// \param bone  closed surface of the bone that `partition` was made of [mm, RAS]
-/// Throws Error (bad input) where a bridge of bone is left between two parts, with its place, and as
-/// `saw_bone` does.
-CutSurfaces cut_surfaces(const TriangleMesh& bone, const BonePartition& partition);
+/// Throws Error as `saw_bone` does.
+std::variant<CutSurfaces, BoneBridge> cut_surfaces(const TriangleMesh& bone,
+                                                   const BonePartition& partition);
 
 } // namespace f2b

@@ -63,7 +63,7 @@ TEST(CutSurfaces, FragmentsAndKerfAreTheBoneExactly)
   BonePartition partition = cut_bone(
       bone, bone, {testing::cut_at(12, 25, "right", 1.5), testing::cut_at(-12, -25, "left", 0)});
   partition.osteotomies = trimmed_cuts(partition);
-  const CutSurfaces cut = cut_surfaces(block_surface(), partition);
+  const auto cut = std::get<CutSurfaces>(cut_surfaces(block_surface(), partition));
   ASSERT_EQ(cut.parts.size(), 3U);
   EXPECT_NEAR(cut.volume_mm3[0], (24 - 0.75 - 0.005) * 1200, 1);
   EXPECT_NEAR(cut.volume_mm3[1], (18 - 0.75) * 1200, 1);
@@ -92,7 +92,9 @@ TEST(CutSurfaces, BridgeThatTheLatticeDoesNotSeeIsTold)
   Osteotomy narrow = testing::cut_at(5, 20);
   narrow.planes[0].half_u = 19.7;
   const BonePartition partition = cut_bone(bone, bone, {narrow});
-  test::expect_error([&] { (void)cut_surfaces(block_surface(), partition); },
+  const auto bridge = std::get<BoneBridge>(cut_surfaces(block_surface(), partition));
+  EXPECT_NE(bridge.part, bridge.other);
+  test::expect_error([&] { throw bridge_error(bridge, partition); },
                      {"bridge of bone", "'end'", "enlarge the cut"});
 }
 
