@@ -473,7 +473,7 @@ def own_copies(tier, folder):
 
 def mismatched_truth(tier):
     """Plans for patients who are not as the plan believes, one process a seed; finished seeds are kept."""
-    count = 2 if tier.density else MISMATCHED_CASES
+    count = 1 if tier.density else MISMATCHED_CASES
     folder = cut_head(tier, "sample", 1, 0.1 if tier.density else 0.15)
     program = tier.tool("Verification/mismatched_truth")
     stamp = hashlib.sha256(program.read_bytes()).hexdigest()[:8]
