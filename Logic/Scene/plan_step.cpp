@@ -77,6 +77,9 @@ StepRequest prepare_step(const CaseNodes& nodes, int step, const SettingsOrigin&
   request.folder = nodes.plan->GetCaseFolder();
   if (request.folder.empty())
     throw Error("the case folder", "it cannot be made without a name", "choose a folder");
+  if (!begins_case(step) && !std::filesystem::is_directory(request.folder))
+    throw Error(request.folder.string(), "there is no such case folder",
+                "choose the folder where the case lies, or find skin and bone anew in this one");
   request.source = origin.name;
   request.suggest.confirm = nodes.plan->GetSuggestConfirm();
   if (nodes.plan->GetSuggestDensity() > 0)

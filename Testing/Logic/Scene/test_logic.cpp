@@ -354,6 +354,16 @@ TEST(LogicTest, FailuresAreASentenceOnTheNode)
   EXPECT_EQ(c.plan->GetStatusText(), "");
 }
 
+TEST(LogicTest, APlanWithoutItsFolderSaysSo)
+{
+  SegmentedCase c; // as a bundle that was opened elsewhere
+  c.plan->SetCaseFolder((c.folder / "nowhere").string());
+  EXPECT_FALSE(c.world.logic->Cut(c.plan));
+  EXPECT_EQ(c.plan->GetStatusCode(), 2);
+  EXPECT_NE(c.plan->GetStatusText().find("nowhere"), std::string::npos);
+  EXPECT_NE(c.plan->GetStatusText().find("no such case folder"), std::string::npos);
+}
+
 TEST(LogicTest, ChangedSettingsMakeResultsStale)
 {
   SegmentedCase c;
