@@ -14,8 +14,8 @@ vtkSlicerApplicationLogic* vtkSlicerModuleLogic::GetApplicationLogic()
 vtkMRMLAbstractLogic* vtkSlicerModuleLogic::GetModuleLogic(const char* moduleName)
 {
   return this->GetMRMLApplicationLogic()
-           ? this->GetMRMLApplicationLogic()->GetModuleLogic(moduleName)
-           : nullptr;
+             ? this->GetMRMLApplicationLogic()->GetModuleLogic(moduleName)
+             : nullptr;
 }
 
 void vtkSlicerModuleLogic::SetModuleShareDirectory(const std::string& shareDirectory)

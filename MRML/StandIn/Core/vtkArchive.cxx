@@ -29,8 +29,8 @@ class Utf8Locale
 {
 public:
   Utf8Locale()
-    : Utf8(newlocale(LC_CTYPE_MASK, "C.UTF-8", nullptr)),
-      Before(this->Utf8 ? uselocale(this->Utf8) : nullptr)
+      : Utf8(newlocale(LC_CTYPE_MASK, "C.UTF-8", nullptr)),
+        Before(this->Utf8 ? uselocale(this->Utf8) : nullptr)
   {
   }
   ~Utf8Locale()
@@ -63,9 +63,9 @@ Reader OpenZip(const char* path)
 bool IsSafeName(const std::string& name)
 {
   const std::string framed = "/" + name + "/";
-  return !name.empty() && name[0] != '/' && framed.find("/../") == std::string::npos
-      && name.find('\\') == std::string::npos && name.find(':') != 1
-      && name.find('\0') == std::string::npos;
+  return !name.empty() && name[0] != '/' && framed.find("/../") == std::string::npos &&
+         name.find('\\') == std::string::npos && name.find(':') != 1 &&
+         name.find('\0') == std::string::npos;
 }
 
 /// Files below the folder, relative to it, in an order that does not depend on the disk.
@@ -120,8 +120,8 @@ bool AddFile(archive* writer, const std::string& path, const std::string& name)
   {
     file.read(block.data(), static_cast<std::streamsize>(block.size()));
     const auto count = static_cast<std::size_t>(file.gcount());
-    if (count > 0
-        && archive_write_data(writer, block.data(), count) != static_cast<la_ssize_t>(count))
+    if (count > 0 &&
+        archive_write_data(writer, block.data(), count) != static_cast<la_ssize_t>(count))
     {
       return false;
     }
@@ -162,12 +162,11 @@ bool vtkArchive::Zip(const char* zipFileName, const char* directoryToZip)
   bool written = archive_write_open_filename(writer.get(), temporary.c_str()) == ARCHIVE_OK;
   for (const std::string& file : files)
   {
-    written = written
-           && AddFile(writer.get(), folder + file,
-                      vtksys::SystemTools::GetFilenameName(folder) + file);
+    written = written && AddFile(writer.get(), folder + file,
+                                 vtksys::SystemTools::GetFilenameName(folder) + file);
   }
-  written = archive_write_close(writer.get()) == ARCHIVE_OK && written
-         && vtkMRMLSavedFiles::Publish(zipFileName);
+  written = archive_write_close(writer.get()) == ARCHIVE_OK && written &&
+            vtkMRMLSavedFiles::Publish(zipFileName);
   if (!written)
   {
     vtksys::SystemTools::RemoveFile(temporary);
@@ -185,8 +184,8 @@ bool vtkArchive::UnZip(const char* zipFileName, const char* destinationDirectory
   }
   archive_entry* entry = nullptr;
   int result = ARCHIVE_OK;
-  while ((result = archive_read_next_header(reader.get(), &entry)) == ARCHIVE_OK
-         || result == ARCHIVE_WARN)
+  while ((result = archive_read_next_header(reader.get(), &entry)) == ARCHIVE_OK ||
+         result == ARCHIVE_WARN)
   {
     const char* utf8 = archive_entry_pathname_utf8(entry);
     const char* raw = archive_entry_pathname(entry);
@@ -194,9 +193,9 @@ bool vtkArchive::UnZip(const char* zipFileName, const char* destinationDirectory
     const std::string path = std::string(destinationDirectory) + "/" + name;
     const auto type = archive_entry_filetype(entry);
     const bool folder = type == AE_IFDIR || (!name.empty() && name.back() == '/');
-    if (!IsSafeName(name) || archive_entry_symlink(entry) || (!folder && type != AE_IFREG)
-        || (folder ? !vtksys::SystemTools::MakeDirectory(path).IsSuccess()
-                   : !ExtractFile(reader.get(), path)))
+    if (!IsSafeName(name) || archive_entry_symlink(entry) || (!folder && type != AE_IFREG) ||
+        (folder ? !vtksys::SystemTools::MakeDirectory(path).IsSuccess()
+                : !ExtractFile(reader.get(), path)))
     {
       return false;
     }
@@ -211,9 +210,8 @@ bool vtkArchive::ListArchive(const char* archiveName, std::vector<std::string>& 
   archive_entry* entry = nullptr;
   int result = reader ? ARCHIVE_OK : ARCHIVE_FATAL;
   files.clear();
-  while (reader
-         && ((result = archive_read_next_header(reader.get(), &entry)) == ARCHIVE_OK
-             || result == ARCHIVE_WARN))
+  while (reader && ((result = archive_read_next_header(reader.get(), &entry)) == ARCHIVE_OK ||
+                    result == ARCHIVE_WARN))
   {
     const char* name = archive_entry_pathname_utf8(entry);
     files.emplace_back(name ? name : "");

@@ -55,8 +55,8 @@ void vtkMRMLColorNode::SetType(int type)
 const char* vtkMRMLColorNode::GetColorName(int ind)
 {
   return ind < 0 || ind >= static_cast<int>(this->Names.size()) || this->Names[ind].empty()
-           ? this->NoName
-           : this->Names[ind].c_str();
+             ? this->NoName
+             : this->Names[ind].c_str();
 }
 
 int vtkMRMLColorNode::GetColorIndexByName(const char* name)

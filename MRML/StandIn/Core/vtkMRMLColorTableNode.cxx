@@ -43,8 +43,8 @@ void vtkMRMLColorTableNode::Copy(vtkMRMLNode* node)
 void vtkMRMLColorTableNode::SetNumberOfColors(int n)
 {
   const int count = std::clamp(n, 0, 1000000);
-  if (static_cast<int>(this->Names.size()) == count
-      && this->LookupTable->GetNumberOfTableValues() == count)
+  if (static_cast<int>(this->Names.size()) == count &&
+      this->LookupTable->GetNumberOfTableValues() == count)
   {
     return;
   }
@@ -93,9 +93,8 @@ int vtkMRMLColorTableNode::SetColor(int entry, const char* name, double r, doubl
 int vtkMRMLColorTableNode::SetOpacity(int entry, double opacity)
 {
   double color[4];
-  return this->GetColor(entry, color)
-           ? this->SetColor(entry, color[0], color[1], color[2], opacity)
-           : 0;
+  return this->GetColor(entry, color) ? this->SetColor(entry, color[0], color[1], color[2], opacity)
+                                      : 0;
 }
 
 void vtkMRMLColorTableNode::AddColor(const char* name, double r, double g, double b, double a)

@@ -60,8 +60,8 @@ int vtkMRMLColorTableStorageNode::ReadDataInternal(vtkMRMLNode* refNode)
     {
       continue;
     }
-    if (!(words >> colour.Name >> colour.Rgba[0] >> colour.Rgba[1] >> colour.Rgba[2])
-        || colour.Index < 0 || colour.Index > largestIndex)
+    if (!(words >> colour.Name >> colour.Rgba[0] >> colour.Rgba[1] >> colour.Rgba[2]) ||
+        colour.Index < 0 || colour.Index > largestIndex)
     {
       return 0;
     }
@@ -78,8 +78,7 @@ int vtkMRMLColorTableStorageNode::ReadDataInternal(vtkMRMLNode* refNode)
   table->SetNumberOfColors(count);
   for (const NamedColor& colour : colours)
   {
-    table->SetColor(colour.Index, colour.Rgba[0], colour.Rgba[1], colour.Rgba[2],
-                    colour.Rgba[3]);
+    table->SetColor(colour.Index, colour.Rgba[0], colour.Rgba[1], colour.Rgba[2], colour.Rgba[3]);
     table->SetColorNameWithSpaces(colour.Index, colour.Name.c_str(), "_");
   }
   return 1;

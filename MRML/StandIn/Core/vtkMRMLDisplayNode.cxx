@@ -21,8 +21,7 @@ const char* const locations[] = {"point", "cell", "vertex", "edge"};
 
 } // namespace
 
-vtkMRMLDisplayNode::vtkMRMLDisplayNode()
-  : ActiveAttributeLocation(vtkAssignAttribute::POINT_DATA)
+vtkMRMLDisplayNode::vtkMRMLDisplayNode() : ActiveAttributeLocation(vtkAssignAttribute::POINT_DATA)
 {
   this->HideFromEditors = 1;
 }
@@ -207,8 +206,7 @@ void vtkMRMLDisplayNode::SetAndObserveColorNodeID(const char* id)
     return;
   }
   delete[] this->ColorNodeID;
-  this->ColorNodeID =
-    after.empty() ? nullptr : vtksys::SystemTools::DuplicateString(after.c_str());
+  this->ColorNodeID = after.empty() ? nullptr : vtksys::SystemTools::DuplicateString(after.c_str());
   if (this->GetScene())
   {
     this->GetScene()->RemoveReferencedNodeID(before.c_str(), this);
@@ -225,7 +223,7 @@ void vtkMRMLDisplayNode::SetAndObserveColorNodeID(const std::string& id)
 vtkMRMLColorNode* vtkMRMLDisplayNode::GetColorNode()
 {
   return vtkMRMLColorNode::SafeDownCast(
-    this->GetScene() ? this->GetScene()->GetNodeByID(this->ColorNodeID) : nullptr);
+      this->GetScene() ? this->GetScene()->GetNodeByID(this->ColorNodeID) : nullptr);
 }
 
 void vtkMRMLDisplayNode::SetSceneReferences()
@@ -265,7 +263,7 @@ void vtkMRMLDisplayNode::SetActiveScalarName(const char* scalarName)
   MRMLNodeModifyBlocker blocker(this);
   delete[] this->ActiveScalarName;
   this->ActiveScalarName =
-    scalarName ? vtksys::SystemTools::DuplicateString(after.c_str()) : nullptr;
+      scalarName ? vtksys::SystemTools::DuplicateString(after.c_str()) : nullptr;
   this->UpdateAssignedAttribute();
   this->UpdateScalarRange();
   this->Modified();
@@ -313,8 +311,8 @@ void vtkMRMLDisplayNode::UpdateScalarRange()
   {
     array->GetDataTypeRange(range);
   }
-  else if (this->ScalarRangeFlag == UseColorNodeScalarRange && this->GetColorNode()
-           && this->GetColorNode()->GetScalarsToColors())
+  else if (this->ScalarRangeFlag == UseColorNodeScalarRange && this->GetColorNode() &&
+           this->GetColorNode()->GetScalarsToColors())
   {
     const double* colours = this->GetColorNode()->GetScalarsToColors()->GetRange();
     std::copy(colours, colours + 2, range);
@@ -384,9 +382,9 @@ void vtkMRMLDisplayNode::SetActiveAttributeLocationFromString(const char* str)
 
 void vtkMRMLDisplayNode::AddViewNodeID(const char* viewNodeID)
 {
-  if (viewNodeID && *viewNodeID
-      && std::find(this->ViewNodeIDs.begin(), this->ViewNodeIDs.end(), viewNodeID)
-           == this->ViewNodeIDs.end())
+  if (viewNodeID && *viewNodeID &&
+      std::find(this->ViewNodeIDs.begin(), this->ViewNodeIDs.end(), viewNodeID) ==
+          this->ViewNodeIDs.end())
   {
     this->ViewNodeIDs.emplace_back(viewNodeID);
     this->Modified();
@@ -409,8 +407,7 @@ void vtkMRMLDisplayNode::SetViewNodeIDs(const std::vector<std::string>& viewNode
 
 bool vtkMRMLDisplayNode::IsDisplayableInView(const char* viewNodeID) const
 {
-  return this->ViewNodeIDs.empty()
-      || (viewNodeID
-          && std::find(this->ViewNodeIDs.begin(), this->ViewNodeIDs.end(), viewNodeID)
-               != this->ViewNodeIDs.end());
+  return this->ViewNodeIDs.empty() ||
+         (viewNodeID && std::find(this->ViewNodeIDs.begin(), this->ViewNodeIDs.end(), viewNodeID) !=
+                            this->ViewNodeIDs.end());
 }

@@ -98,7 +98,7 @@ const char* vtkMRMLDisplayableNode::GetDisplayNodeID()
 vtkMRMLDisplayNode* vtkMRMLDisplayableNode::GetNthDisplayNode(int n)
 {
   return vtkMRMLDisplayNode::SafeDownCast(
-    this->GetNthNodeReference(this->GetDisplayNodeReferenceRole(), n));
+      this->GetNthNodeReference(this->GetDisplayNodeReferenceRole(), n));
 }
 
 vtkMRMLDisplayNode* vtkMRMLDisplayableNode::GetDisplayNode()

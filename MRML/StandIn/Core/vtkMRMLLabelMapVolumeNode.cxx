@@ -11,8 +11,7 @@ void vtkMRMLLabelMapVolumeNode::CreateDefaultDisplayNodes()
 {
   if (!this->GetDisplayNode() && this->GetScene())
   {
-    vtkMRMLNode* display =
-      this->GetScene()->AddNewNodeByClass("vtkMRMLLabelMapVolumeDisplayNode");
+    vtkMRMLNode* display = this->GetScene()->AddNewNodeByClass("vtkMRMLLabelMapVolumeDisplayNode");
     static_cast<vtkMRMLLabelMapVolumeDisplayNode*>(display)->SetDefaultColorMap();
     this->SetAndObserveDisplayNodeID(display->GetID());
   }

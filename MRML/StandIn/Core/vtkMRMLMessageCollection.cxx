@@ -46,8 +46,7 @@ std::string vtkMRMLMessageCollection::GetNthMessageText(int index) const
   return index < 0 || index >= this->GetNumberOfMessages() ? "" : this->Messages[index].Text;
 }
 
-void vtkMRMLMessageCollection::AddMessage(unsigned long messageType,
-                                          const std::string& messageText)
+void vtkMRMLMessageCollection::AddMessage(unsigned long messageType, const std::string& messageText)
 {
   this->Messages.push_back({messageType, messageText});
   this->Modified();
@@ -115,5 +114,5 @@ void vtkMRMLMessageCollection::CallbackFunction(vtkObject*, unsigned long event,
                                                 void* callData)
 {
   static_cast<vtkMRMLMessageCollection*>(clientData)
-    ->AddMessage(event, callData ? static_cast<const char*>(callData) : "");
+      ->AddMessage(event, callData ? static_cast<const char*>(callData) : "");
 }

@@ -16,8 +16,7 @@ vtkMRMLNodeNewMacro(vtkMRMLModelDisplayNode);
 namespace
 {
 
-const char* const sliceDisplayModes[] = {"intersection", "projection",
-                                         "distanceEncodedProjection"};
+const char* const sliceDisplayModes[] = {"intersection", "projection", "distanceEncodedProjection"};
 
 } // namespace
 
@@ -98,7 +97,7 @@ vtkPointSet* vtkMRMLModelDisplayNode::GetInputMesh()
   }
   this->MeshProducer->Update();
   return vtkPointSet::SafeDownCast(
-    this->MeshProducer->GetOutputDataObject(this->MeshConnection->GetIndex()));
+      this->MeshProducer->GetOutputDataObject(this->MeshConnection->GetIndex()));
 }
 
 vtkPolyData* vtkMRMLModelDisplayNode::GetInputPolyData()

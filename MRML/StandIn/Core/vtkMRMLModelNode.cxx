@@ -158,7 +158,7 @@ vtkPointSet* vtkMRMLModelNode::GetMesh()
   }
   this->MeshProducer->Update();
   return vtkPointSet::SafeDownCast(
-    this->MeshProducer->GetOutputDataObject(this->MeshConnection->GetIndex()));
+      this->MeshProducer->GetOutputDataObject(this->MeshConnection->GetIndex()));
 }
 
 vtkPolyData* vtkMRMLModelNode::GetPolyData()
@@ -329,8 +329,8 @@ std::string vtkMRMLModelNode::GetDefaultStorageNodeClassName(const char*)
 
 bool vtkMRMLModelNode::GetModifiedSinceRead()
 {
-  return this->Superclass::GetModifiedSinceRead()
-      || (this->GetMesh() && this->GetMesh()->GetMTime() > this->GetStoredTime().GetMTime());
+  return this->Superclass::GetModifiedSinceRead() ||
+         (this->GetMesh() && this->GetMesh()->GetMTime() > this->GetStoredTime().GetMTime());
 }
 
 void vtkMRMLModelNode::GetBounds(double bounds[6])

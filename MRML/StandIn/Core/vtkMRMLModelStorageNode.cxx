@@ -144,8 +144,9 @@ bool vtkMRMLModelStorageNode::CanReadInReferenceNode(vtkMRMLNode* refNode)
 
 void vtkMRMLModelStorageNode::InitializeSupportedReadFileTypes()
 {
-  for (const char* type : {"Poly Data (.vtk)", "XML Poly Data (.vtp)", "XML Unstructured Grid (.vtu)",
-                           "STL (.stl)", "PLY (.ply)", "Wavefront OBJ (.obj)"})
+  for (const char* type :
+       {"Poly Data (.vtk)", "XML Poly Data (.vtp)", "XML Unstructured Grid (.vtu)", "STL (.stl)",
+        "PLY (.ply)", "Wavefront OBJ (.obj)"})
   {
     this->SupportedReadFileTypes->InsertNextValue(type);
   }
@@ -153,8 +154,9 @@ void vtkMRMLModelStorageNode::InitializeSupportedReadFileTypes()
 
 void vtkMRMLModelStorageNode::InitializeSupportedWriteFileTypes()
 {
-  for (const char* type : {"Poly Data (.vtk)", "XML Poly Data (.vtp)", "XML Unstructured Grid (.vtu)",
-                           "STL (.stl)", "PLY (.ply)", "Wavefront OBJ (.obj)"})
+  for (const char* type :
+       {"Poly Data (.vtk)", "XML Poly Data (.vtp)", "XML Unstructured Grid (.vtu)", "STL (.stl)",
+        "PLY (.ply)", "Wavefront OBJ (.obj)"})
   {
     this->SupportedWriteFileTypes->InsertNextValue(type);
   }
@@ -213,8 +215,8 @@ vtkSmartPointer<vtkPointSet> vtkMRMLModelStorageNode::ReadMesh(const std::string
   if (extension == ".vtp" || extension == ".vtu")
   {
     mesh = extension == ".vtp"
-             ? Read(vtkNew<vtkXMLPolyDataReader>().Get(), path, this->UserMessages)
-             : Read(vtkNew<vtkXMLUnstructuredGridReader>().Get(), path, this->UserMessages);
+               ? Read(vtkNew<vtkXMLPolyDataReader>().Get(), path, this->UserMessages)
+               : Read(vtkNew<vtkXMLUnstructuredGridReader>().Get(), path, this->UserMessages);
     frame = mesh ? TakeFrameOfFieldData(mesh) : -1;
   }
   else if (extension == ".vtk")

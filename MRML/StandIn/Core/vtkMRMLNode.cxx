@@ -15,11 +15,12 @@ std::pair<std::string, std::string> SplitAt(const std::string& text, char separa
 {
   const auto position = text.find(separator);
   return position == std::string::npos
-           ? std::make_pair(text, std::string())
-           : std::make_pair(text.substr(0, position), text.substr(position + 1));
+             ? std::make_pair(text, std::string())
+             : std::make_pair(text.substr(0, position), text.substr(position + 1));
 }
 
-std::string Replaced(std::string text, const std::vector<std::pair<const char*, const char*>>& pairs)
+std::string Replaced(std::string text,
+                     const std::vector<std::pair<const char*, const char*>>& pairs)
 {
   for (const auto& [from, to] : pairs)
   {
@@ -31,8 +32,8 @@ std::string Replaced(std::string text, const std::vector<std::pair<const char*, 
 } // namespace
 
 vtkMRMLNode::vtkMRMLNode()
-  : MRMLCallbackCommand(vtkCallbackCommand::New()), MRMLObserverManager(vtkObserverManager::New()),
-    ContentModifiedEvents(vtkIntArray::New())
+    : MRMLCallbackCommand(vtkCallbackCommand::New()),
+      MRMLObserverManager(vtkObserverManager::New()), ContentModifiedEvents(vtkIntArray::New())
 {
   this->ContentModifiedEvents->InsertNextValue(vtkCommand::ModifiedEvent);
   this->MRMLCallbackCommand->SetClientData(this);
@@ -107,8 +108,7 @@ void vtkMRMLNode::ReadXMLAttributes(const char** atts)
       const auto [name, value] = SplitAt(entry, ':');
       if (!name.empty())
       {
-        this->SetAttribute(name.c_str(),
-                           Replaced(value, {{"%3B", ";"}, {"%25", "%"}}).c_str());
+        this->SetAttribute(name.c_str(), Replaced(value, {{"%3B", ";"}, {"%25", "%"}}).c_str());
       }
     }
   }
@@ -174,8 +174,8 @@ void vtkMRMLNode::WriteXML(ostream& of, int)
   std::string attributes;
   for (const auto& [name, value] : this->Attributes)
   {
-    attributes += (attributes.empty() ? "" : ";") + this->XMLAttributeEncodeString(name) + ":"
-                + this->XMLAttributeEncodeString(Replaced(value, {{"%", "%25"}, {";", "%3B"}}));
+    attributes += (attributes.empty() ? "" : ";") + this->XMLAttributeEncodeString(name) + ":" +
+                  this->XMLAttributeEncodeString(Replaced(value, {{"%", "%25"}, {";", "%3B"}}));
   }
   if (!attributes.empty())
   {
@@ -204,32 +204,44 @@ void vtkMRMLNode::WriteNodeBodyXML(ostream&, int) {}
 
 const char* vtkMRMLNode::URLEncodeString(const char* inString)
 {
-  this->EncodedText =
-    !inString ? "(null)"
-              : Replaced(inString, {{"%", "%25"}, {" ", "%20"}, {"'", "%27"}, {">", "%3E"},
-                                    {"<", "%3C"}, {"\"", "%22"}});
+  this->EncodedText = !inString ? "(null)"
+                                : Replaced(inString, {{"%", "%25"},
+                                                      {" ", "%20"},
+                                                      {"'", "%27"},
+                                                      {">", "%3E"},
+                                                      {"<", "%3C"},
+                                                      {"\"", "%22"}});
   return this->EncodedText.c_str();
 }
 
 const char* vtkMRMLNode::URLDecodeString(const char* inString)
 {
-  this->EncodedText =
-    !inString ? "(null)"
-              : Replaced(inString, {{"%22", "\""}, {"%3C", "<"}, {"%3E", ">"}, {"%27", "'"},
-                                    {"%20", " "}, {"%25", "%"}});
+  this->EncodedText = !inString ? "(null)"
+                                : Replaced(inString, {{"%22", "\""},
+                                                      {"%3C", "<"},
+                                                      {"%3E", ">"},
+                                                      {"%27", "'"},
+                                                      {"%20", " "},
+                                                      {"%25", "%"}});
   return this->EncodedText.c_str();
 }
 
 std::string vtkMRMLNode::XMLAttributeEncodeString(const std::string& inString)
 {
-  return Replaced(inString, {{"&", "&amp;"}, {"\"", "&quot;"}, {"'", "&apos;"}, {"<", "&lt;"},
-                             {">", "&gt;"}, {"\n", "&#10;"}, {"\r", "&#13;"}, {"\t", "&#9;"}});
+  return Replaced(inString, {{"&", "&amp;"},
+                             {"\"", "&quot;"},
+                             {"'", "&apos;"},
+                             {"<", "&lt;"},
+                             {">", "&gt;"},
+                             {"\n", "&#10;"},
+                             {"\r", "&#13;"},
+                             {"\t", "&#9;"}});
 }
 
 std::string vtkMRMLNode::XMLAttributeDecodeString(const std::string& inString)
 {
-  return Replaced(inString, {{"&quot;", "\""}, {"&apos;", "'"}, {"&lt;", "<"}, {"&gt;", ">"},
-                             {"&amp;", "&"}});
+  return Replaced(
+      inString, {{"&quot;", "\""}, {"&apos;", "'"}, {"&lt;", "<"}, {"&gt;", ">"}, {"&amp;", "&"}});
 }
 
 // --- Copies ------------------------------------------------------------------------------------
@@ -381,8 +393,8 @@ void vtkMRMLNode::MRMLCallback(vtkObject* caller, unsigned long eid, void* clien
 void vtkMRMLNode::ProcessMRMLEvents(vtkObject* caller, unsigned long event, void*)
 {
   auto* node = vtkMRMLNode::SafeDownCast(caller);
-  if (event == vtkCommand::ModifiedEvent && node && node->GetID()
-      && this->HasNodeReferenceID(nullptr, node->GetID()))
+  if (event == vtkCommand::ModifiedEvent && node && node->GetID() &&
+      this->HasNodeReferenceID(nullptr, node->GetID()))
   {
     this->InvokeEvent(vtkMRMLNode::ReferencedNodeModifiedEvent, node);
   }

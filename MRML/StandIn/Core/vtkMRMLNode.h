@@ -39,7 +39,10 @@ class vtkStringArray;
 #ifndef vtkMRMLNodeNewMacro
 #define vtkMRMLNodeNewMacro(newClass)                                                              \
   vtkStandardNewMacro(newClass);                                                                   \
-  vtkMRMLNode* newClass::CreateNodeInstance() { return newClass::New(); }
+  vtkMRMLNode* newClass::CreateNodeInstance()                                                      \
+  {                                                                                                \
+    return newClass::New();                                                                        \
+  }
 #endif
 
 /// The class copies its content (CopyContent) without its references.
@@ -176,11 +179,9 @@ public:
   vtkMRMLNode* AddNodeReferenceID(const char* referenceRole, const char* referencedNodeID);
   vtkMRMLNode* SetNthNodeReferenceID(const char* referenceRole, int n,
                                      const char* referencedNodeID);
-  vtkMRMLNode* SetAndObserveNodeReferenceID(const char* referenceRole,
-                                            const char* referencedNodeID,
+  vtkMRMLNode* SetAndObserveNodeReferenceID(const char* referenceRole, const char* referencedNodeID,
                                             vtkIntArray* events = nullptr);
-  vtkMRMLNode* AddAndObserveNodeReferenceID(const char* referenceRole,
-                                            const char* referencedNodeID,
+  vtkMRMLNode* AddAndObserveNodeReferenceID(const char* referenceRole, const char* referencedNodeID,
                                             vtkIntArray* events = nullptr);
   /// An empty or null id removes the n-th.
   vtkMRMLNode* SetAndObserveNthNodeReferenceID(const char* referenceRole, int n,
@@ -311,7 +312,7 @@ class VTK_MRML_EXPORT MRMLNodeModifyBlocker
 {
 public:
   explicit MRMLNodeModifyBlocker(vtkMRMLNode* node)
-    : Node(node), WasModifying(node ? node->StartModify() : 0)
+      : Node(node), WasModifying(node ? node->StartModify() : 0)
   {
   }
   ~MRMLNodeModifyBlocker()

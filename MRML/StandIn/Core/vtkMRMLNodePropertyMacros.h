@@ -119,13 +119,13 @@
 #define vtkMRMLReadXMLEndMacro() }
 
 #define vtkMRMLReadXMLBooleanMacro(xmlAttributeName, propertyName)                                 \
-  if (!std::strcmp(xmlReadAttName, #xmlAttributeName))                                              \
+  if (!std::strcmp(xmlReadAttName, #xmlAttributeName))                                             \
   {                                                                                                \
     this->Set##propertyName(std::string(xmlReadAttValue) == "true");                               \
   }
 
 #define vtkMRMLReadXMLStringMacro(xmlAttributeName, propertyName)                                  \
-  if (!std::strcmp(xmlReadAttName, #xmlAttributeName))                                              \
+  if (!std::strcmp(xmlReadAttName, #xmlAttributeName))                                             \
   {                                                                                                \
     this->Set##propertyName(xmlReadAttValue);                                                      \
   }
@@ -134,7 +134,7 @@
   vtkMRMLReadXMLStringMacro(xmlAttributeName, propertyName)
 
 #define vtkMRMLReadXMLEnumMacro(xmlAttributeName, propertyName)                                    \
-  if (!std::strcmp(xmlReadAttName, #xmlAttributeName))                                              \
+  if (!std::strcmp(xmlReadAttName, #xmlAttributeName))                                             \
   {                                                                                                \
     const int xmlEnum = this->Get##propertyName##FromString(xmlReadAttValue);                      \
     if (xmlEnum >= 0)                                                                              \
@@ -148,7 +148,7 @@
   }
 
 #define vtkMRMLReadXMLIntMacro(xmlAttributeName, propertyName)                                     \
-  if (!std::strcmp(xmlReadAttName, #xmlAttributeName))                                              \
+  if (!std::strcmp(xmlReadAttName, #xmlAttributeName))                                             \
   {                                                                                                \
     double xmlNumber = 0.0;                                                                        \
     if (vtkMRMLNumberFromText(xmlReadAttValue, xmlNumber))                                         \
@@ -162,7 +162,7 @@
   }
 
 #define vtkMRMLReadXMLFloatMacro(xmlAttributeName, propertyName)                                   \
-  if (!std::strcmp(xmlReadAttName, #xmlAttributeName))                                              \
+  if (!std::strcmp(xmlReadAttName, #xmlAttributeName))                                             \
   {                                                                                                \
     double xmlNumber = 0.0;                                                                        \
     if (vtkMRMLNumberFromText(xmlReadAttValue, xmlNumber))                                         \
@@ -176,7 +176,7 @@
   }
 
 #define vtkMRMLReadXMLVectorMacro(xmlAttributeName, propertyName, vectorType, vectorSize)          \
-  if (!std::strcmp(xmlReadAttName, #xmlAttributeName))                                              \
+  if (!std::strcmp(xmlReadAttName, #xmlAttributeName))                                             \
   {                                                                                                \
     vectorType xmlVector[vectorSize] = {};                                                         \
     const char* xmlRest = xmlReadAttValue;                                                         \
@@ -185,14 +185,14 @@
          ++xmlIndex)                                                                               \
     {                                                                                              \
       xmlVector[xmlIndex] = std::is_integral_v<vectorType>                                         \
-                              ? static_cast<vectorType>(vtkMRMLIntFromDouble(xmlNumber))           \
-                              : static_cast<vectorType>(xmlNumber);                                \
+                                ? static_cast<vectorType>(vtkMRMLIntFromDouble(xmlNumber))         \
+                                : static_cast<vectorType>(xmlNumber);                              \
     }                                                                                              \
     this->Set##propertyName(xmlVector);                                                            \
   }
 
 #define vtkMRMLReadXMLStdFloatVectorMacro(xmlAttributeName, propertyName, vectorType)              \
-  if (!std::strcmp(xmlReadAttName, #xmlAttributeName))                                              \
+  if (!std::strcmp(xmlReadAttName, #xmlAttributeName))                                             \
   {                                                                                                \
     vectorType xmlVector;                                                                          \
     const char* xmlRest = xmlReadAttValue;                                                         \
@@ -205,7 +205,7 @@
   }
 
 #define vtkMRMLReadXMLStdIntVectorMacro(xmlAttributeName, propertyName, vectorType)                \
-  if (!std::strcmp(xmlReadAttName, #xmlAttributeName))                                              \
+  if (!std::strcmp(xmlReadAttName, #xmlAttributeName))                                             \
   {                                                                                                \
     vectorType xmlVector;                                                                          \
     const char* xmlRest = xmlReadAttValue;                                                         \
@@ -218,7 +218,7 @@
   }
 
 #define vtkMRMLReadXMLStdStringVectorMacro(xmlAttributeName, propertyName, vectorType)             \
-  if (!std::strcmp(xmlReadAttName, #xmlAttributeName))                                              \
+  if (!std::strcmp(xmlReadAttName, #xmlAttributeName))                                             \
   {                                                                                                \
     vectorType<std::string> xmlVector;                                                             \
     for (std::string xmlText : vtksys::SystemTools::SplitString(xmlReadAttValue, ';'))             \
@@ -232,7 +232,7 @@
 
 /// "Owned": the node holds the matrix for ever, and only its elements change.
 #define vtkMRMLReadXMLOwnedMatrix4x4Macro(xmlAttributeName, propertyName)                          \
-  if (!std::strcmp(xmlReadAttName, #xmlAttributeName))                                              \
+  if (!std::strcmp(xmlReadAttName, #xmlAttributeName))                                             \
   {                                                                                                \
     vtkNew<vtkMatrix4x4> xmlMatrix;                                                                \
     const char* xmlRest = xmlReadAttValue;                                                         \

@@ -24,7 +24,7 @@ void vtkMRMLNode::AddNodeReferenceRole(const char* referenceRole, const char* mr
     return;
   }
   this->NodeReferenceMRMLAttributeNames[referenceRole] =
-    mrmlAttributeName ? mrmlAttributeName : referenceRole;
+      mrmlAttributeName ? mrmlAttributeName : referenceRole;
   if (!this->IsReferenceRoleGeneric(referenceRole))
   {
     this->NodeReferences[referenceRole];
@@ -52,8 +52,8 @@ const char* vtkMRMLNode::GetReferenceRoleFromMRMLAttributeName(const char* attNa
       return role.c_str();
     }
     // "lengthUnitRef" of the group "unit/" with the attribute "UnitRef" is "unit/length".
-    if (this->IsReferenceRoleGeneric(role.c_str())
-        && vtksys::SystemTools::StringEndsWith(name, roleAttribute.c_str()))
+    if (this->IsReferenceRoleGeneric(role.c_str()) &&
+        vtksys::SystemTools::StringEndsWith(name, roleAttribute.c_str()))
     {
       this->EncodedText = role + name.substr(0, name.size() - roleAttribute.size());
       return this->EncodedText.c_str();
@@ -72,8 +72,8 @@ const char* vtkMRMLNode::GetMRMLAttributeNameFromReferenceRole(const char* refRo
   }
   for (const auto& [group, attribute] : this->NodeReferenceMRMLAttributeNames)
   {
-    if (this->IsReferenceRoleGeneric(group.c_str())
-        && vtksys::SystemTools::StringStartsWith(role, group.c_str()))
+    if (this->IsReferenceRoleGeneric(group.c_str()) &&
+        vtksys::SystemTools::StringStartsWith(role, group.c_str()))
     {
       this->EncodedText = role.substr(group.size()) + attribute;
       return this->EncodedText.c_str();
@@ -114,7 +114,7 @@ vtkMRMLNode* vtkMRMLNode::AddAndObserveNodeReferenceID(const char* referenceRole
                                                        vtkIntArray* events)
 {
   return this->SetAndObserveNthNodeReferenceID(
-    referenceRole, this->GetNumberOfNodeReferences(referenceRole), referencedNodeID, events);
+      referenceRole, this->GetNumberOfNodeReferences(referenceRole), referencedNodeID, events);
 }
 
 vtkMRMLNode* vtkMRMLNode::SetAndObserveNthNodeReferenceID(const char* referenceRole, int n,
@@ -171,9 +171,9 @@ vtkMRMLNode* vtkMRMLNode::SetReference(const std::string& role, int n,
   const vtkSmartPointer<vtkMRMLNodeReference> reference = references[n];
   const vtkSmartPointer<vtkMRMLNode> before = reference->GetReferencedNode();
   const std::string oldID =
-    reference->GetReferencedNodeID() ? reference->GetReferencedNodeID() : "";
+      reference->GetReferencedNodeID() ? reference->GetReferencedNodeID() : "";
   const vtkSmartPointer<vtkMRMLNode> after =
-    this->Scene ? this->Scene->GetNodeByID(referencedID) : nullptr;
+      this->Scene ? this->Scene->GetNodeByID(referencedID) : nullptr;
 
   reference->SetReferencedNodeID(referencedID.c_str());
   reference->SetReferencedNode(after);
@@ -195,7 +195,7 @@ vtkMRMLNode* vtkMRMLNode::RemoveReference(const std::string& role, int n)
   const vtkSmartPointer<vtkMRMLNodeReference> reference = references[n];
   const vtkSmartPointer<vtkMRMLNode> before = reference->GetReferencedNode();
   const std::string oldID =
-    reference->GetReferencedNodeID() ? reference->GetReferencedNodeID() : "";
+      reference->GetReferencedNodeID() ? reference->GetReferencedNodeID() : "";
   references.erase(references.begin() + n);
   this->ObserveReferencedNode(before);
   if (before)
@@ -333,9 +333,10 @@ bool vtkMRMLNode::HasNodeReferenceID(const char* referenceRole, const char* refe
   const std::string id = referencedNodeID;
   for (const auto& [role, references] : this->NodeReferences)
   {
-    if ((!referenceRole || role == referenceRole)
-        && std::any_of(references.begin(), references.end(), [&id](const auto& reference)
-                       { return id == reference->GetReferencedNodeID(); }))
+    if ((!referenceRole || role == referenceRole) &&
+        std::any_of(references.begin(), references.end(),
+                    [&id](const auto& reference)
+                    { return id == reference->GetReferencedNodeID(); }))
     {
       return true;
     }
@@ -374,8 +375,8 @@ vtkMRMLNode* vtkMRMLNode::GetNthNodeReference(const char* referenceRole, int n)
   {
     this->UpdateNthNodeReference(referenceRole, n);
     node = n < this->GetNumberOfNodeReferences(referenceRole)
-             ? this->NodeReferences[referenceRole][n]->GetReferencedNode()
-             : nullptr;
+               ? this->NodeReferences[referenceRole][n]->GetReferencedNode()
+               : nullptr;
   }
   return node;
 }
@@ -419,8 +420,8 @@ int vtkMRMLNode::GetNumberOfNodeReferenceRoles()
 const char* vtkMRMLNode::GetNthNodeReferenceRole(int n)
 {
   return n < 0 || n >= this->GetNumberOfNodeReferenceRoles()
-           ? nullptr
-           : std::next(this->NodeReferences.begin(), n)->first.c_str();
+             ? nullptr
+             : std::next(this->NodeReferences.begin(), n)->first.c_str();
 }
 
 // --- In a scene --------------------------------------------------------------------------------
@@ -479,8 +480,8 @@ void vtkMRMLNode::UpdateNthNodeReference(const char* referenceRole, int n)
 {
   const vtkSmartPointer<vtkMRMLNodeReference> reference = this->NodeReferences[referenceRole][n];
   const std::vector<int> events = reference->ObservedEvents.empty()
-                                    ? this->EventsOfRole(referenceRole, nullptr)
-                                    : reference->ObservedEvents;
+                                      ? this->EventsOfRole(referenceRole, nullptr)
+                                      : reference->ObservedEvents;
   this->SetReference(referenceRole, n, reference->GetReferencedNodeID(), events);
 }
 

@@ -52,8 +52,8 @@ void vtkMRMLParser::StartElement(const char* name, const char** atts)
     this->Body += std::string("<") + name;
     for (; atts[0] && atts[1]; atts += 2)
     {
-      this->Body += std::string(" ") + atts[0] + "=\""
-                  + this->Node->XMLAttributeEncodeString(atts[1]) + "\"";
+      this->Body +=
+          std::string(" ") + atts[0] + "=\"" + this->Node->XMLAttributeEncodeString(atts[1]) + "\"";
     }
     this->Body += ">";
     this->BodyMeans = true;
@@ -94,7 +94,7 @@ void vtkMRMLParser::StartNode(const std::string& name, const char** atts)
     className += "Node";
   }
   auto node =
-    vtkSmartPointer<vtkMRMLNode>::Take(this->MRMLScene->CreateNodeByClass(className.c_str()));
+      vtkSmartPointer<vtkMRMLNode>::Take(this->MRMLScene->CreateNodeByClass(className.c_str()));
   if (!node)
   {
     const auto unknown = vtkSmartPointer<vtkMRMLUnknownNode>::New();
@@ -149,5 +149,5 @@ void vtkMRMLParser::EndElement(const char* name)
 void vtkMRMLParser::ReportXmlParseError()
 {
   this->Fault =
-    "it is no well-formed XML (near byte " + std::to_string(this->GetXMLByteIndex()) + ")";
+      "it is no well-formed XML (near byte " + std::to_string(this->GetXMLByteIndex()) + ")";
 }

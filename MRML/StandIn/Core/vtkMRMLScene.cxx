@@ -20,9 +20,8 @@ vtkMRMLScene::vtkMRMLScene()
   this->SetVersion("FaceToBone 0.1.0 0");
   // First of all observers of the deletion: they still see the nodes go.
   this->DeleteEventCallback->SetClientData(this);
-  this->DeleteEventCallback->SetCallback(
-    [](vtkObject*, unsigned long, void* scene, void*)
-    { static_cast<vtkMRMLScene*>(scene)->Clear(1); });
+  this->DeleteEventCallback->SetCallback([](vtkObject*, unsigned long, void* scene, void*)
+                                         { static_cast<vtkMRMLScene*>(scene)->Clear(1); });
   this->AddObserver(vtkCommand::DeleteEvent, this->DeleteEventCallback, 1000.0F);
   this->RegisterOwnNodeClasses();
 }
@@ -232,8 +231,7 @@ vtkMRMLNode* vtkMRMLScene::AddNodeNoNotify(vtkMRMLNode* n)
 
 vtkMRMLNode* vtkMRMLScene::AddNewNodeByClass(std::string className, std::string nodeBaseName)
 {
-  const auto node =
-    vtkSmartPointer<vtkMRMLNode>::Take(this->CreateNodeByClass(className.c_str()));
+  const auto node = vtkSmartPointer<vtkMRMLNode>::Take(this->CreateNodeByClass(className.c_str()));
   if (!node)
   {
     vtkErrorMacro("AddNewNodeByClass: unknown class '" << className << "'");
@@ -254,8 +252,7 @@ vtkMRMLNode* vtkMRMLScene::AddNewNodeByClassWithID(std::string className, std::s
     vtkErrorMacro("AddNewNodeByClassWithID: the id '" << nodeID << "' is not free");
     return nullptr;
   }
-  const auto node =
-    vtkSmartPointer<vtkMRMLNode>::Take(this->CreateNodeByClass(className.c_str()));
+  const auto node = vtkSmartPointer<vtkMRMLNode>::Take(this->CreateNodeByClass(className.c_str()));
   if (!node)
   {
     vtkErrorMacro("AddNewNodeByClassWithID: unknown class '" << className << "'");
@@ -329,8 +326,8 @@ int vtkMRMLScene::GetNumberOfNodes()
 vtkMRMLNode* vtkMRMLScene::GetNthNode(int n)
 {
   return n < 0 || n >= this->GetNumberOfNodes()
-           ? nullptr
-           : static_cast<vtkMRMLNode*>(this->Nodes->GetItemAsObject(n));
+             ? nullptr
+             : static_cast<vtkMRMLNode*>(this->Nodes->GetItemAsObject(n));
 }
 
 vtkMRMLNode* vtkMRMLScene::GetNodeByID(const char* name)
@@ -415,8 +412,8 @@ vtkMRMLNode* vtkMRMLScene::GetFirstNode(const char* byName, const char* byClass,
   {
     const std::string name = node->GetName() ? node->GetName() : "";
     const bool named = !byName || (exactNameMatch ? name == byName : name.rfind(byName, 0) == 0);
-    if (named && (!byClass || node->IsA(byClass))
-        && (!byHideFromEditors || node->GetHideFromEditors() == *byHideFromEditors))
+    if (named && (!byClass || node->IsA(byClass)) &&
+        (!byHideFromEditors || node->GetHideFromEditors() == *byHideFromEditors))
     {
       return node;
     }
@@ -442,8 +439,8 @@ vtkMRMLNode* vtkMRMLScene::GetSingletonNode(const char* singletonTag, const char
   this->GetNodesByClass(className, nodes);
   for (vtkMRMLNode* node : nodes)
   {
-    if (singletonTag && node->GetSingletonTag()
-        && std::string(singletonTag) == node->GetSingletonTag())
+    if (singletonTag && node->GetSingletonTag() &&
+        std::string(singletonTag) == node->GetSingletonTag())
     {
       return node;
     }
@@ -460,9 +457,8 @@ vtkMRMLNode* vtkMRMLScene::GetSingletonNode(vtkMRMLNode* n)
   for (int i = 0; i < this->GetNumberOfNodes(); ++i)
   {
     vtkMRMLNode* node = this->GetNthNode(i);
-    if (node->GetSingletonTag() && std::string(node->GetSingletonTag()) == n->GetSingletonTag()
-        && node->IsA(n->GetClassName())
-        && std::string(node->GetNodeTagName()) == n->GetNodeTagName())
+    if (node->GetSingletonTag() && std::string(node->GetSingletonTag()) == n->GetSingletonTag() &&
+        node->IsA(n->GetClassName()) && std::string(node->GetNodeTagName()) == n->GetNodeTagName())
     {
       return node;
     }
@@ -477,8 +473,8 @@ std::string vtkMRMLScene::GenerateUniqueID(vtkMRMLNode* node)
   std::string base = node->GetClassName();
   if (base == "vtkMRMLUnknownNode")
   {
-    base = std::string("vtkMRML") + node->GetNodeTagName()
-         + (vtksys::SystemTools::StringEndsWith(node->GetNodeTagName(), "Node") ? "" : "Node");
+    base = std::string("vtkMRML") + node->GetNodeTagName() +
+           (vtksys::SystemTools::StringEndsWith(node->GetNodeTagName(), "Node") ? "" : "Node");
   }
   if (node->IsSingleton() && !this->GetNodeByID(base + node->GetSingletonTag()))
   {

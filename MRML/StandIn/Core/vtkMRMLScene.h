@@ -52,8 +52,7 @@ public:
   bool ReadFromMRB(const char* fullName, bool clear = false,
                    vtkMRMLMessageCollection* userMessages = nullptr);
   /// \return the .mrml file within the folder; empty on failure
-  static std::string UnpackSlicerDataBundle(const char* sdbFilePath,
-                                            const char* temporaryDirectory,
+  static std::string UnpackSlicerDataBundle(const char* sdbFilePath, const char* temporaryDirectory,
                                             vtkMRMLMessageCollection* userMessages = nullptr);
   /// Writes the scene and all data into an empty folder: NAME.mrml and Data/.
   bool SaveSceneToSlicerDataBundleDirectory(const char* sdbDir, vtkImageData* thumbnail = nullptr,

@@ -57,8 +57,8 @@ std::string UnpackingFolder()
 {
   const char* parent = std::getenv("TMPDIR");
   static int count = 0;
-  return std::string(parent && *parent ? parent : "/tmp") + "/mrb~" + std::to_string(getpid()) + "-"
-       + std::to_string(++count);
+  return std::string(parent && *parent ? parent : "/tmp") + "/mrb~" + std::to_string(getpid()) +
+         "-" + std::to_string(++count);
 }
 
 } // namespace
@@ -83,16 +83,16 @@ std::string vtkMRMLScene::CreateUniqueFileName(const std::string& filename,
                                                const std::string& knownExtension)
 {
   const std::string extension = knownExtension.empty()
-                                  ? vtksys::SystemTools::GetFilenameLastExtension(filename)
-                                  : knownExtension;
+                                    ? vtksys::SystemTools::GetFilenameLastExtension(filename)
+                                    : knownExtension;
   std::string base = filename.substr(0, filename.size() - extension.size());
   std::string name = filename;
   int suffix = 0;
   const auto bar = base.find_last_of('_');
-  if (bar != std::string::npos && bar + 1 < base.size()
-      && std::all_of(base.begin() + static_cast<std::ptrdiff_t>(bar) + 1, base.end(),
-                     [](unsigned char c) { return std::isdigit(c); })
-      && base.size() - bar < 9)
+  if (bar != std::string::npos && bar + 1 < base.size() &&
+      std::all_of(base.begin() + static_cast<std::ptrdiff_t>(bar) + 1, base.end(),
+                  [](unsigned char c) { return std::isdigit(c); }) &&
+      base.size() - bar < 9)
   {
     suffix = std::stoi(base.substr(bar + 1));
     base.resize(bar);
@@ -112,31 +112,29 @@ bool vtkMRMLScene::WriteToMRB(const char* filename, vtkImageData* thumbnail,
   const std::string path = vtksys::SystemTools::CollapseFullPath(filename ? filename : "");
   const TemporaryFolder work(vtkMRMLSavedFiles::Temporary(path) + ".folder");
   const std::string folder =
-    work.Path + "/" + vtksys::SystemTools::GetFilenameWithoutLastExtension(path);
-  const bool written = !work.Path.empty() && vtksys::SystemTools::MakeDirectory(folder)
-                    && this->SaveSceneToSlicerDataBundleDirectory(folder.c_str(), thumbnail,
-                                                                  userMessages)
-                    && vtkArchive::Zip(path.c_str(), folder.c_str());
+      work.Path + "/" + vtksys::SystemTools::GetFilenameWithoutLastExtension(path);
+  const bool written =
+      !work.Path.empty() && vtksys::SystemTools::MakeDirectory(folder) &&
+      this->SaveSceneToSlicerDataBundleDirectory(folder.c_str(), thumbnail, userMessages) &&
+      vtkArchive::Zip(path.c_str(), folder.c_str());
   if (!written)
   {
     vtkErrorToMessageCollectionMacro(
-      userMessages, "vtkMRMLScene::WriteToMRB",
-      "The bundle " << path << " cannot be written: is its folder there, with room?");
+        userMessages, "vtkMRMLScene::WriteToMRB",
+        "The bundle " << path << " cannot be written: is its folder there, with room?");
   }
   return written;
 }
 
-bool vtkMRMLScene::SaveSceneToSlicerDataBundleDirectory(const char* sdbDir,
-                                                        vtkImageData* thumbnail,
+bool vtkMRMLScene::SaveSceneToSlicerDataBundleDirectory(const char* sdbDir, vtkImageData* thumbnail,
                                                         vtkMRMLMessageCollection* userMessages)
 {
   const std::string folder = sdbDir ? sdbDir : "";
-  if (!vtksys::SystemTools::FileIsFullPath(folder)
-      || !vtksys::SystemTools::FileIsDirectory(folder))
+  if (!vtksys::SystemTools::FileIsFullPath(folder) || !vtksys::SystemTools::FileIsDirectory(folder))
   {
-    vtkErrorToMessageCollectionMacro(userMessages, "vtkMRMLScene",
-                                     "A bundle needs the absolute name of a folder that exists, not '"
-                                       << folder << "'");
+    vtkErrorToMessageCollectionMacro(
+        userMessages, "vtkMRMLScene",
+        "A bundle needs the absolute name of a folder that exists, not '" << folder << "'");
     return false;
   }
   const std::string data = folder + "/Data";
@@ -156,7 +154,8 @@ bool vtkMRMLScene::SaveSceneToSlicerDataBundleDirectory(const char* sdbDir,
   bool written = true;
   for (const FileNames& one : names)
   {
-    written = (!one.Node->GetSaveWithScene() || this->SaveFilesInto(data, one, userMessages)) && written;
+    written =
+        (!one.Node->GetSaveWithScene() || this->SaveFilesInto(data, one, userMessages)) && written;
   }
   const std::string base = folder + "/" + vtksys::SystemTools::GetFilenameName(folder);
   if (thumbnail)
@@ -213,9 +212,9 @@ vtkMRMLStorableNode* vtkMRMLScene::DataInMemory(vtkMRMLNode* storageNode)
 {
   auto* storage = vtkMRMLStorageNode::SafeDownCast(storageNode);
   vtkMRMLStorableNode* node = storage ? storage->GetStorableNode() : nullptr;
-  const bool failed = node && storage->FailedTime.GetMTime() > 0
-                   && storage->FailedTime > storage->StoredTime
-                   && storage->FailedTime > node->StorableModifiedTime;
+  const bool failed = node && storage->FailedTime.GetMTime() > 0 &&
+                      storage->FailedTime > storage->StoredTime &&
+                      storage->FailedTime > node->StorableModifiedTime;
   return failed ? nullptr : node;
 }
 
@@ -235,7 +234,7 @@ bool vtkMRMLScene::SaveFilesInto(const std::string& folder, const FileNames& nam
       return source;
     }
     const std::string path =
-      CreateUniqueFileName(folder + "/" + vtksys::SystemTools::GetFilenameName(source));
+        CreateUniqueFileName(folder + "/" + vtksys::SystemTools::GetFilenameName(source));
     written = this->CopyFileOrHeld(source, path) && written;
     return path;
   };
@@ -253,12 +252,13 @@ bool vtkMRMLScene::SaveDataInto(const std::string& folder, vtkMRMLStorageNode* s
   const std::string name = node->GetName() ? node->GetName() : "Data";
   const std::string source = storage->GetFullNameFromFileName();
   const char* ending = storage->GetDefaultWriteFileExtension();
-  const std::string extension = ending ? std::string(".") + vtksys::SystemTools::LowerCase(ending) : "";
+  const std::string extension =
+      ending ? std::string(".") + vtksys::SystemTools::LowerCase(ending) : "";
   const std::string base =
-    source.empty() ? name : storage->GetFileNameWithoutExtension(source.c_str());
+      source.empty() ? name : storage->GetFileNameWithoutExtension(source.c_str());
   storage->ResetFileNameList();
   storage->SetFileName(
-    CreateUniqueFileName(folder + "/" + PercentEncode(base) + extension, extension).c_str());
+      CreateUniqueFileName(folder + "/" + PercentEncode(base) + extension, extension).c_str());
   storage->GetUserMessages()->ClearMessages();
   const bool written = storage->WriteData(node) != 0;
   if (messages)
@@ -273,8 +273,8 @@ bool vtkMRMLScene::CopyFileOrHeld(const std::string& source, const std::string& 
   const auto held = this->HeldFiles.find(source);
   if (held == this->HeldFiles.end())
   {
-    return !vtksys::SystemTools::FileExists(source, true)
-        || vtksys::SystemTools::CopyFileAlways(source, path).IsSuccess();
+    return !vtksys::SystemTools::FileExists(source, true) ||
+           vtksys::SystemTools::CopyFileAlways(source, path).IsSuccess();
   }
   vtksys::SystemTools::MakeDirectory(vtksys::SystemTools::GetParentDirectory(path));
   std::ofstream file(path, std::ios::binary);
@@ -302,8 +302,8 @@ std::string vtkMRMLScene::UnpackSlicerDataBundle(const char* sdbFilePath,
   }
   if (scenes.empty() && userMessages)
   {
-    userMessages->AddMessage(vtkCommand::ErrorEvent,
-                             std::string("The bundle ") + sdbFilePath + " cannot be read: " + fault);
+    userMessages->AddMessage(vtkCommand::ErrorEvent, std::string("The bundle ") + sdbFilePath +
+                                                         " cannot be read: " + fault);
   }
   return scenes.empty() ? "" : scenes.front();
 }
@@ -319,7 +319,7 @@ bool vtkMRMLScene::ReadFromMRB(const char* fullName, bool clear,
   const std::string path = vtksys::SystemTools::CollapseFullPath(fullName ? fullName : "");
   const TemporaryFolder work(UnpackingFolder());
   const std::string scene =
-    work.Path.empty() ? "" : UnpackSlicerDataBundle(path.c_str(), work.Path.c_str(), messages);
+      work.Path.empty() ? "" : UnpackSlicerDataBundle(path.c_str(), work.Path.c_str(), messages);
   if (scene.empty())
   {
     if (messages->GetNumberOfMessages() == 0)
@@ -340,7 +340,7 @@ bool vtkMRMLScene::ReadFromMRB(const char* fullName, bool clear,
   if (read || clear)
   {
     this->URL =
-      besides + "/" + vtksys::SystemTools::GetFilenameWithoutLastExtension(path) + ".mrml";
+        besides + "/" + vtksys::SystemTools::GetFilenameWithoutLastExtension(path) + ".mrml";
     this->RootDirectory = besides;
   }
   else
@@ -366,16 +366,16 @@ void vtkMRMLScene::TakeOutOfBundle(const std::string& unpacked, const std::strin
     if (file && !this->DataInMemory(node))
     {
       this->HeldFiles[path] = std::make_shared<const std::string>(
-        std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
+          std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
     }
     return path;
   };
   for (FileNames names : this->AllFileNames())
   {
     const bool ofBundle =
-      names.Name.rfind(unpacked + "/", 0) == 0
-      || std::any_of(names.List.begin(), names.List.end(), [&](const std::string& name)
-                     { return name.rfind(unpacked + "/", 0) == 0; });
+        names.Name.rfind(unpacked + "/", 0) == 0 ||
+        std::any_of(names.List.begin(), names.List.end(),
+                    [&](const std::string& name) { return name.rfind(unpacked + "/", 0) == 0; });
     if (!ofBundle)
     {
       continue;

@@ -99,8 +99,8 @@ void vtkMRMLScene::CopyRegisteredNodesToScene(vtkMRMLScene* scene)
   {
     if (scene && !scene->GetClassNameByTag(one.Tag.c_str()))
     {
-      scene->RegisterNodeClass(
-        vtkSmartPointer<vtkMRMLNode>::Take(one.Node->CreateNodeInstance()), one.Tag.c_str());
+      scene->RegisterNodeClass(vtkSmartPointer<vtkMRMLNode>::Take(one.Node->CreateNodeInstance()),
+                               one.Tag.c_str());
     }
   }
 }
@@ -113,8 +113,8 @@ int vtkMRMLScene::GetNumberOfRegisteredNodeClasses()
 vtkMRMLNode* vtkMRMLScene::GetNthRegisteredNodeClass(int n)
 {
   return n < 0 || n >= this->GetNumberOfRegisteredNodeClasses()
-           ? nullptr
-           : this->RegisteredClasses[n].Node.Get();
+             ? nullptr
+             : this->RegisteredClasses[n].Node.Get();
 }
 
 const char* vtkMRMLScene::GetClassNameByTag(const char* tagName)

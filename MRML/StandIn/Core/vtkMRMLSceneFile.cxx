@@ -181,8 +181,8 @@ int vtkMRMLScene::LoadNodes(vtkCollection* loaded, vtkMRMLMessageCollection* mes
   int parsed = 0;
   if (this->LoadFromXMLString)
   {
-    parsed = !this->SceneXMLString.empty()
-          && parser->Parse(this->SceneXMLString.c_str(),
+    parsed = !this->SceneXMLString.empty() &&
+             parser->Parse(this->SceneXMLString.c_str(),
                            static_cast<unsigned int>(this->SceneXMLString.size()));
   }
   else
@@ -203,9 +203,9 @@ int vtkMRMLScene::LoadNodes(vtkCollection* loaded, vtkMRMLMessageCollection* mes
   {
     loaded->RemoveAllItems();
     vtkErrorToMessageCollectionMacro(
-      messages, "vtkMRMLScene",
-      "The scene file " << this->URL << " cannot be read: "
-                        << (parser->GetFault().empty() ? "it is empty" : parser->GetFault()));
+        messages, "vtkMRMLScene",
+        "The scene file " << this->URL << " cannot be read: "
+                          << (parser->GetFault().empty() ? "it is empty" : parser->GetFault()));
     return 0;
   }
   return 1;
@@ -250,13 +250,13 @@ void vtkMRMLScene::AddLoadedNodes(vtkCollection* loaded, vtkMRMLMessageCollectio
       auto* storable = vtkMRMLStorableNode::SafeDownCast(node);
       vtkMRMLStorageNode* storage = storable ? storable->GetStorageNode() : nullptr;
       // VTK's events are not sent where its messages are turned off.
-      if (storage && storage->FailedTime > storage->StoredTime
-          && messages->GetNumberOfMessagesOfType(vtkCommand::ErrorEvent) == errors)
+      if (storage && storage->FailedTime > storage->StoredTime &&
+          messages->GetNumberOfMessagesOfType(vtkCommand::ErrorEvent) == errors)
       {
         messages->AddMessage(vtkCommand::ErrorEvent,
-                             std::string("The data of '") + node->GetName()
-                               + "' could not be read:\n"
-                               + storage->GetUserMessages()->GetAllMessagesAsString());
+                             std::string("The data of '") + node->GetName() +
+                                 "' could not be read:\n" +
+                                 storage->GetUserMessages()->GetAllMessagesAsString());
       }
     }
   }
@@ -336,8 +336,8 @@ std::string vtkMRMLScene::NodeXML(vtkMRMLNode* node)
   std::ostringstream body;
   node->WriteNodeBodyXML(body, 1);
   const std::string tag = node->GetNodeTagName();
-  return " <" + tag + "\n " + attributes.str() + " >" + body.str() + node->KeptBody + "</" + tag
-       + ">\n";
+  return " <" + tag + "\n " + attributes.str() + " >" + body.str() + node->KeptBody + "</" + tag +
+         ">\n";
 }
 
 std::string vtkMRMLScene::SceneXML()
@@ -385,15 +385,15 @@ int vtkMRMLScene::Commit(const char* url, vtkMRMLMessageCollection* userMessages
   this->RootDirectory = vtksys::SystemTools::GetParentDirectory(path);
   const std::string xml = this->SceneXML();
   this->MakeFileNamesAbsolute();
-  if (!this->WriteHeldFiles(userMessages)
-      || !vtkMRMLSavedFiles::WriteWhole(vtkMRMLSavedFiles::Temporary(path), xml)
-      || !vtkMRMLSavedFiles::PublishAll(path, this->StagedFiles))
+  if (!this->WriteHeldFiles(userMessages) ||
+      !vtkMRMLSavedFiles::WriteWhole(vtkMRMLSavedFiles::Temporary(path), xml) ||
+      !vtkMRMLSavedFiles::PublishAll(path, this->StagedFiles))
   {
     vtksys::SystemTools::RemoveFile(vtkMRMLSavedFiles::Temporary(path));
     vtkErrorToMessageCollectionMacro(
-      userMessages, "vtkMRMLScene::Commit",
-      "The scene file " << path << " cannot be written: is its folder there, with room, and may"
-                        << " files be made in it?");
+        userMessages, "vtkMRMLScene::Commit",
+        "The scene file " << path << " cannot be written: is its folder there, with room, and may"
+                          << " files be made in it?");
     return 0;
   }
   this->StagedFiles.clear();
@@ -421,8 +421,8 @@ bool vtkMRMLScene::WriteHeldFiles(vtkMRMLMessageCollection* messages)
     paths.push_back(names.Name);
     for (const std::string& path : paths)
     {
-      if (this->HeldFiles.count(path) > 0 && !vtksys::SystemTools::FileExists(path)
-          && !this->CopyFileOrHeld(path, path))
+      if (this->HeldFiles.count(path) > 0 && !vtksys::SystemTools::FileExists(path) &&
+          !this->CopyFileOrHeld(path, path))
       {
         vtkErrorToMessageCollectionMacro(messages, "vtkMRMLScene::Commit",
                                          "The file " << path << " cannot be written");

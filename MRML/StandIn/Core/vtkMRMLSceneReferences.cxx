@@ -26,8 +26,8 @@ void vtkMRMLScene::RemoveReferencedNodeID(const char* id, vtkMRMLNode* refrencin
 bool vtkMRMLScene::IsNodeReferencingNodeID(vtkMRMLNode* referencingNode, const char* id)
 {
   const auto found = this->NodeReferences.find(id ? id : "");
-  return found != this->NodeReferences.end() && referencingNode && referencingNode->GetID()
-      && found->second.count(referencingNode->GetID()) > 0;
+  return found != this->NodeReferences.end() && referencingNode && referencingNode->GetID() &&
+         found->second.count(referencingNode->GetID()) > 0;
 }
 
 int vtkMRMLScene::GetNumberOfNodeReferences()
@@ -70,8 +70,8 @@ void vtkMRMLScene::RemoveUnusedNodeReferences()
       id = this->GetNodeByID(*id) ? std::next(id) : referencing.erase(id);
     }
     entry = referencing.empty() || !this->GetNodeByID(entry->first)
-              ? this->NodeReferences.erase(entry)
-              : std::next(entry);
+                ? this->NodeReferences.erase(entry)
+                : std::next(entry);
   }
 }
 
@@ -114,8 +114,8 @@ vtkCollection* vtkMRMLScene::GetReferencedNodes(vtkMRMLNode* node, bool recursiv
     for (const auto& [id, referencing] : this->NodeReferences)
     {
       vtkMRMLNode* referenced = this->GetNodeByID(id);
-      if (referenced && from->GetID() && referencing.count(from->GetID()) > 0
-          && !found->IsItemPresent(referenced))
+      if (referenced && from->GetID() && referencing.count(from->GetID()) > 0 &&
+          !found->IsItemPresent(referenced))
       {
         found->AddItem(referenced);
       }
@@ -129,7 +129,7 @@ void vtkMRMLScene::GetReferencingNodes(vtkMRMLNode* referencedNode,
 {
   referencingNodes.clear();
   const auto found = this->NodeReferences.find(
-    referencedNode && referencedNode->GetID() ? referencedNode->GetID() : "");
+      referencedNode && referencedNode->GetID() ? referencedNode->GetID() : "");
   if (found == this->NodeReferences.end())
   {
     return;

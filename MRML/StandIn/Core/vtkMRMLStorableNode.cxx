@@ -83,7 +83,7 @@ const char* vtkMRMLStorableNode::GetStorageNodeID()
 vtkMRMLStorageNode* vtkMRMLStorableNode::GetNthStorageNode(int n)
 {
   return vtkMRMLStorageNode::SafeDownCast(
-    this->GetNthNodeReference(this->GetStorageNodeReferenceRole(), n));
+      this->GetNthNodeReference(this->GetStorageNodeReferenceRole(), n));
 }
 
 vtkMRMLStorageNode* vtkMRMLStorableNode::GetStorageNode()
@@ -98,8 +98,7 @@ vtkMRMLStorageNode* vtkMRMLStorableNode::CreateDefaultStorageNode()
 
 std::string vtkMRMLStorableNode::GetDefaultStorageNodeClassName(const char*)
 {
-  const auto storage =
-    vtkSmartPointer<vtkMRMLStorageNode>::Take(this->CreateDefaultStorageNode());
+  const auto storage = vtkSmartPointer<vtkMRMLStorageNode>::Take(this->CreateDefaultStorageNode());
   return storage ? storage->GetClassName() : "";
 }
 
@@ -114,8 +113,7 @@ bool vtkMRMLStorableNode::AddDefaultStorageNode(const char* filename)
   {
     return className.empty();
   }
-  auto* storage =
-    vtkMRMLStorageNode::SafeDownCast(this->GetScene()->AddNewNodeByClass(className));
+  auto* storage = vtkMRMLStorageNode::SafeDownCast(this->GetScene()->AddNewNodeByClass(className));
   if (!storage)
   {
     return false;

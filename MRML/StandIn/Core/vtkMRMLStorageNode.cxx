@@ -10,8 +10,8 @@
 #include <algorithm>
 
 vtkMRMLStorageNode::vtkMRMLStorageNode()
-  : SupportedReadFileTypes(vtkStringArray::New()),
-    SupportedWriteFileTypes(vtkStringArray::New()), UserMessages(vtkMRMLMessageCollection::New())
+    : SupportedReadFileTypes(vtkStringArray::New()), SupportedWriteFileTypes(vtkStringArray::New()),
+      UserMessages(vtkMRMLMessageCollection::New())
 {
   this->HideFromEditors = 1;
 }
@@ -33,12 +33,11 @@ std::string vtkMRMLStorageNode::NameForXML(const std::string& name)
     return this->XMLAttributeEncodeString(this->URLEncodeString(name.c_str()));
   }
   const std::string root =
-    vtksys::SystemTools::CollapseFullPath(this->GetScene()->GetRootDirectory());
-  const std::string relative =
-    vtksys::SystemTools::RelativePath(root, name);
+      vtksys::SystemTools::CollapseFullPath(this->GetScene()->GetRootDirectory());
+  const std::string relative = vtksys::SystemTools::RelativePath(root, name);
   // RelativePath gives nothing where there is no way, as between the drives of Windows.
   return this->XMLAttributeEncodeString(
-    this->URLEncodeString(relative.empty() ? name.c_str() : relative.c_str()));
+      this->URLEncodeString(relative.empty() ? name.c_str() : relative.c_str()));
 }
 
 void vtkMRMLStorageNode::WriteXML(ostream& of, int indent)
@@ -55,8 +54,8 @@ void vtkMRMLStorageNode::WriteXML(ostream& of, int indent)
   of << " useCompression=\"" << this->UseCompression << "\"";
   if (!this->CompressionParameter.empty())
   {
-    of << " compressionParameter=\""
-       << this->XMLAttributeEncodeString(this->CompressionParameter) << "\"";
+    of << " compressionParameter=\"" << this->XMLAttributeEncodeString(this->CompressionParameter)
+       << "\"";
   }
   if (this->GetDefaultWriteFileExtension())
   {
@@ -206,10 +205,10 @@ bool vtkMRMLStorageNode::LiesWithin(const std::string& folder)
   return std::all_of(names.begin(), names.end(),
                      [this, &folder](const std::string& name)
                      {
-                       return name.empty()
-                           || vtksys::SystemTools::GetRealPath(this->AbsoluteName(name))
-                                  .rfind(vtksys::SystemTools::GetRealPath(folder) + "/", 0)
-                                == 0;
+                       return name.empty() ||
+                              vtksys::SystemTools::GetRealPath(this->AbsoluteName(name))
+                                      .rfind(vtksys::SystemTools::GetRealPath(folder) + "/", 0) ==
+                                  0;
                      });
 }
 
@@ -219,8 +218,8 @@ std::string vtkMRMLStorageNode::GetLowercaseExtensionFromFileName(const std::str
   if (extension == ".gz")
   {
     extension = vtksys::SystemTools::GetFilenameLastExtension(
-                  vtksys::SystemTools::GetFilenameWithoutLastExtension(filename))
-              + extension;
+                    vtksys::SystemTools::GetFilenameWithoutLastExtension(filename)) +
+                extension;
   }
   return vtksys::SystemTools::LowerCase(extension);
 }
@@ -267,7 +266,7 @@ void vtkMRMLStorageNode::GetFileExtensionsFromFileTypes(vtkStringArray* inputFil
     const auto open = type.rfind('(');
     const auto close = type.rfind(')');
     outputFileExtensions->InsertNextValue(
-      open == std::string::npos || close < open ? type : type.substr(open + 1, close - open - 1));
+        open == std::string::npos || close < open ? type : type.substr(open + 1, close - open - 1));
   }
 }
 
@@ -276,7 +275,7 @@ std::string vtkMRMLStorageNode::GetSupportedFileExtension(const char* fileName,
                                                           bool includeWriteable)
 {
   const std::string name =
-    vtksys::SystemTools::LowerCase(fileName ? fileName : this->GetFullNameFromFileName());
+      vtksys::SystemTools::LowerCase(fileName ? fileName : this->GetFullNameFromFileName());
   std::string longest;
   const auto look = [&](vtkStringArray* types)
   {
@@ -285,8 +284,8 @@ std::string vtkMRMLStorageNode::GetSupportedFileExtension(const char* fileName,
     for (vtkIdType i = 0; i < extensions->GetNumberOfValues(); ++i)
     {
       const std::string extension = vtksys::SystemTools::LowerCase(extensions->GetValue(i));
-      if (name.size() > extension.size() && extension.size() > longest.size()
-          && vtksys::SystemTools::StringEndsWith(name, extension.c_str()))
+      if (name.size() > extension.size() && extension.size() > longest.size() &&
+          vtksys::SystemTools::StringEndsWith(name, extension.c_str()))
       {
         longest = extension;
       }
@@ -410,8 +409,8 @@ int vtkMRMLStorageNode::ReadFile(vtkMRMLNode* refNode)
   {
     return 0;
   }
-  if (this->GetScene() && !this->GetScene()->ReadFence.empty()
-      && !this->LiesWithin(this->GetScene()->ReadFence))
+  if (this->GetScene() && !this->GetScene()->ReadFence.empty() &&
+      !this->LiesWithin(this->GetScene()->ReadFence))
   {
     vtkErrorToMessageCollectionMacro(this->UserMessages, this->GetClassName(),
                                      "The file " << path << " lies outside of the bundle");
@@ -454,15 +453,14 @@ int vtkMRMLStorageNode::WriteData(vtkMRMLNode* refNode)
   }
   const std::string temporary = this->GetTemporaryFileName();
   const int errors = this->UserMessages->GetNumberOfMessagesOfType(vtkCommand::ErrorEvent);
-  bool written = this->WriteDataInternal(refNode) != 0
-              && vtksys::SystemTools::FileExists(temporary, true)
-              && this->UserMessages->GetNumberOfMessagesOfType(vtkCommand::ErrorEvent) == errors;
+  bool written = this->WriteDataInternal(refNode) != 0 &&
+                 vtksys::SystemTools::FileExists(temporary, true) &&
+                 this->UserMessages->GetNumberOfMessagesOfType(vtkCommand::ErrorEvent) == errors;
   if (this->WriteState == SkippedNoData)
   {
     return 1;
   }
-  const bool staged =
-    this->GetScene() && (this->GetScene()->GetStates() & vtkMRMLScene::SaveState);
+  const bool staged = this->GetScene() && (this->GetScene()->GetStates() & vtkMRMLScene::SaveState);
   if (written && staged)
   {
     std::vector<std::string>& waiting = this->GetScene()->StagedFiles;

@@ -131,6 +131,6 @@ private:
   void MakeFileNamesAbsolute();
   bool LiesWithin(const std::string& folder);
 
-  vtkTimeStamp FailedTime; ///< when the file last could not be read
+  vtkTimeStamp FailedTime;  ///< when the file last could not be read
   std::string AbsolutePath; ///< what GetAbsoluteFilePath last returned
 };

@@ -63,8 +63,7 @@ void vtkMRMLTransformNode::CopyContent(vtkMRMLNode* anode, bool deepCopy)
   this->SetAndObserveTransformToParent(transform);
 }
 
-void vtkMRMLTransformNode::ProcessMRMLEvents(vtkObject* caller, unsigned long event,
-                                             void* callData)
+void vtkMRMLTransformNode::ProcessMRMLEvents(vtkObject* caller, unsigned long event, void* callData)
 {
   this->Superclass::ProcessMRMLEvents(caller, event, callData);
   if (caller && caller == this->TransformToParent && event == vtkCommand::ModifiedEvent)
@@ -83,9 +82,8 @@ void vtkMRMLTransformNode::TransformModified()
 
 int vtkMRMLTransformNode::IsLinear()
 {
-  return !this->TransformToParent || vtkLinearTransform::SafeDownCast(this->TransformToParent)
-           ? 1
-           : 0;
+  return !this->TransformToParent || vtkLinearTransform::SafeDownCast(this->TransformToParent) ? 1
+                                                                                               : 0;
 }
 
 vtkAbstractTransform* vtkMRMLTransformNode::GetTransformToParent()
@@ -245,8 +243,8 @@ int vtkMRMLTransformNode::GetMatrixTransformBetweenNodes(vtkMRMLTransformNode* s
                                                          vtkMatrix4x4* transformSourceToTarget)
 {
   transformSourceToTarget->Identity();
-  if ((sourceNode && !sourceNode->IsTransformToWorldLinear())
-      || (targetNode && !targetNode->IsTransformToWorldLinear()))
+  if ((sourceNode && !sourceNode->IsTransformToWorldLinear()) ||
+      (targetNode && !targetNode->IsTransformToWorldLinear()))
   {
     vtkGenericWarningMacro("GetMatrixTransformBetweenNodes: a transform is not linear");
     return 0;
@@ -275,8 +273,7 @@ int vtkMRMLTransformNode::GetMatrixTransformBetweenNodes(vtkMRMLTransformNode* s
 
 int vtkMRMLTransformNode::IsTransformNodeMyParent(vtkMRMLTransformNode* node)
 {
-  for (auto* above = this->GetParentTransformNode(); above;
-       above = above->GetParentTransformNode())
+  for (auto* above = this->GetParentTransformNode(); above; above = above->GetParentTransformNode())
   {
     if (above == node)
     {
@@ -337,13 +334,13 @@ void vtkMRMLTransformNode::CreateDefaultDisplayNodes()
   if (!this->GetDisplayNode() && this->GetScene())
   {
     this->SetAndObserveDisplayNodeID(
-      this->GetScene()->AddNewNodeByClass("vtkMRMLTransformDisplayNode")->GetID());
+        this->GetScene()->AddNewNodeByClass("vtkMRMLTransformDisplayNode")->GetID());
   }
 }
 
 bool vtkMRMLTransformNode::GetModifiedSinceRead()
 {
-  return this->Superclass::GetModifiedSinceRead()
-      || (this->TransformToParent
-          && this->TransformToParent->GetMTime() > this->GetStoredTime().GetMTime());
+  return this->Superclass::GetModifiedSinceRead() ||
+         (this->TransformToParent &&
+          this->TransformToParent->GetMTime() > this->GetStoredTime().GetMTime());
 }

@@ -18,7 +18,7 @@ bool vtkMRMLTransformableNode::SetAndObserveTransformNodeID(const char* transfor
 {
   auto* own = vtkMRMLTransformNode::SafeDownCast(this);
   auto* parent = vtkMRMLTransformNode::SafeDownCast(
-    this->GetScene() ? this->GetScene()->GetNodeByID(transformNodeID) : nullptr);
+      this->GetScene() ? this->GetScene()->GetNodeByID(transformNodeID) : nullptr);
   if (own && parent && (own == parent || own->IsTransformNodeMyChild(parent)))
   {
     vtkErrorMacro("SetAndObserveTransformNodeID: a transform cannot be its own parent");
@@ -36,15 +36,15 @@ const char* vtkMRMLTransformableNode::GetTransformNodeID()
 vtkMRMLTransformNode* vtkMRMLTransformableNode::GetParentTransformNode()
 {
   return vtkMRMLTransformNode::SafeDownCast(
-    this->GetNodeReference(this->GetTransformNodeReferenceRole()));
+      this->GetNodeReference(this->GetTransformNodeReferenceRole()));
 }
 
 void vtkMRMLTransformableNode::ProcessMRMLEvents(vtkObject* caller, unsigned long event,
                                                  void* callData)
 {
   this->Superclass::ProcessMRMLEvents(caller, event, callData);
-  if (caller && event == vtkMRMLTransformableNode::TransformModifiedEvent
-      && caller == this->GetParentTransformNode())
+  if (caller && event == vtkMRMLTransformableNode::TransformModifiedEvent &&
+      caller == this->GetParentTransformNode())
   {
     this->InvokeCustomModifiedEvent(vtkMRMLTransformableNode::TransformModifiedEvent);
   }
@@ -55,7 +55,7 @@ void vtkMRMLTransformableNode::NoticeTransform(vtkMRMLNodeReference* reference)
   if (std::string(reference->GetReferenceRole()) == this->GetTransformNodeReferenceRole())
   {
     this->OnTransformNodeReferenceChanged(
-      vtkMRMLTransformNode::SafeDownCast(reference->GetReferencedNode()));
+        vtkMRMLTransformNode::SafeDownCast(reference->GetReferencedNode()));
   }
 }
 
@@ -136,8 +136,7 @@ void vtkMRMLTransformableNode::TransformPointToWorld(const vtkVector3d& inLocal,
   this->TransformPointToWorld(inLocal.GetData(), outWorld.GetData());
 }
 
-void vtkMRMLTransformableNode::TransformPointFromWorld(const double inWorld[3],
-                                                       double outLocal[3])
+void vtkMRMLTransformableNode::TransformPointFromWorld(const double inWorld[3], double outLocal[3])
 {
   vtkNew<vtkGeneralTransform> transform;
   vtkMRMLTransformNode::GetTransformBetweenNodes(nullptr, this->GetParentTransformNode(),

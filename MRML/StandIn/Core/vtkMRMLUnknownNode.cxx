@@ -11,14 +11,15 @@ void vtkMRMLUnknownNode::ReadXMLAttributes(const char** atts)
   this->Superclass::ReadXMLAttributes(atts);
   this->Files.clear();
   vtkMRMLReadXMLBeginMacro(atts);
-  const bool isFile = !std::strcmp(xmlReadAttName, "fileName") || !std::strncmp(xmlReadAttName, "fileListMember", std::strlen("fileListMember"));
+  const bool isFile =
+      !std::strcmp(xmlReadAttName, "fileName") ||
+      !std::strncmp(xmlReadAttName, "fileListMember", std::strlen("fileListMember"));
   if (isFile && *xmlReadAttValue)
   {
     const std::string name = this->URLDecodeString(xmlReadAttValue);
     const std::string root = this->GetScene() ? this->GetScene()->GetRootDirectory() : ".";
-    this->Files.push_back(
-      {xmlReadAttName,
-       vtksys::SystemTools::CollapseFullPath(name, vtksys::SystemTools::CollapseFullPath(root))});
+    this->Files.push_back({xmlReadAttName, vtksys::SystemTools::CollapseFullPath(
+                                               name, vtksys::SystemTools::CollapseFullPath(root))});
   }
   vtkMRMLReadXMLEndMacro();
 }
@@ -29,8 +30,8 @@ void vtkMRMLUnknownNode::WriteXML(ostream& of, int indent)
   for (const File& file : this->Files)
   {
     const std::string root = this->GetScene() ? this->GetScene()->GetRootDirectory() : ".";
-    const std::string name = vtksys::SystemTools::RelativePath(
-      vtksys::SystemTools::CollapseFullPath(root), file.Path);
+    const std::string name =
+        vtksys::SystemTools::RelativePath(vtksys::SystemTools::CollapseFullPath(root), file.Path);
     of << " " << file.Attribute << "=\""
        << this->XMLAttributeEncodeString(this->URLEncodeString(name.c_str())) << "\"";
   }

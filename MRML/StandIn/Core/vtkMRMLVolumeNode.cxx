@@ -97,9 +97,9 @@ vtkMRMLVolumeDisplayNode* vtkMRMLVolumeNode::GetVolumeDisplayNode()
 
 bool vtkMRMLVolumeNode::GetModifiedSinceRead()
 {
-  return this->Superclass::GetModifiedSinceRead()
-      || (this->GetImageData()
-          && this->GetImageData()->GetMTime() > this->GetStoredTime().GetMTime());
+  return this->Superclass::GetModifiedSinceRead() ||
+         (this->GetImageData() &&
+          this->GetImageData()->GetMTime() > this->GetStoredTime().GetMTime());
 }
 
 // --- Voxels ------------------------------------------------------------------------------------
@@ -165,7 +165,7 @@ vtkImageData* vtkMRMLVolumeNode::GetImageData()
   }
   this->ImageProducer->Update();
   return vtkImageData::SafeDownCast(
-    this->ImageProducer->GetOutputDataObject(this->ImageDataConnection->GetIndex()));
+      this->ImageProducer->GetOutputDataObject(this->ImageDataConnection->GetIndex()));
 }
 
 // --- Geometry ----------------------------------------------------------------------------------

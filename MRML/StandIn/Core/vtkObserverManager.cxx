@@ -89,7 +89,7 @@ void vtkObserverManager::AddObjectEvents(vtkObject* nodePtr, vtkIntArray* events
   {
     const auto event = static_cast<unsigned long>(events->GetValue(i));
     const float priority =
-      priorities && i < priorities->GetNumberOfTuples() ? priorities->GetValue(i) : 0.0F;
+        priorities && i < priorities->GetNumberOfTuples() ? priorities->GetValue(i) : 0.0F;
     observations.push_back({event, nodePtr->AddObserver(event, this->CallbackCommand, priority)});
   }
 }
@@ -115,7 +115,7 @@ int vtkObserverManager::GetObservationsCount(vtkObject* nodePtr, unsigned long e
   {
     return 0;
   }
-  return static_cast<int>(
-    std::count_if(found->second.begin(), found->second.end(), [event](const Observation& one)
-                  { return event == 0 || one.Event == event; }));
+  return static_cast<int>(std::count_if(found->second.begin(), found->second.end(),
+                                        [event](const Observation& one)
+                                        { return event == 0 || one.Event == event; }));
 }

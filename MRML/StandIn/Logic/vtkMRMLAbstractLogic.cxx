@@ -26,20 +26,20 @@ vtkMRMLAbstractLogic::vtkMRMLAbstractLogic() : Internal(new vtkInternal)
   vtkCallbackCommand* scene = this->Internal->SceneObserverManager->GetCallbackCommand();
   scene->SetClientData(this);
   scene->SetCallback(
-    [](vtkObject* caller, unsigned long event, void* self, void* data)
-    { static_cast<vtkMRMLAbstractLogic*>(self)->ProcessMRMLSceneEvents(caller, event, data); });
+      [](vtkObject* caller, unsigned long event, void* self, void* data)
+      { static_cast<vtkMRMLAbstractLogic*>(self)->ProcessMRMLSceneEvents(caller, event, data); });
 
   this->Internal->NodesObserverManager->AssignOwner(this);
   vtkCallbackCommand* nodes = this->Internal->NodesObserverManager->GetCallbackCommand();
   nodes->SetClientData(this);
   nodes->SetCallback(
-    [](vtkObject* caller, unsigned long event, void* self, void* data)
-    {
-      if (vtkMRMLNode::SafeDownCast(caller))
+      [](vtkObject* caller, unsigned long event, void* self, void* data)
       {
-        static_cast<vtkMRMLAbstractLogic*>(self)->ProcessMRMLNodesEvents(caller, event, data);
-      }
-    });
+        if (vtkMRMLNode::SafeDownCast(caller))
+        {
+          static_cast<vtkMRMLAbstractLogic*>(self)->ProcessMRMLNodesEvents(caller, event, data);
+        }
+      });
 }
 
 vtkMRMLAbstractLogic::~vtkMRMLAbstractLogic()
@@ -109,8 +109,8 @@ void vtkMRMLAbstractLogic::SetMRMLSceneInternal(vtkMRMLScene* newScene)
 
 void vtkMRMLAbstractLogic::SetAndObserveMRMLSceneInternal(vtkMRMLScene* newScene)
 {
-  this->GetMRMLSceneObserverManager()->SetAndObserveObject(
-    vtkObjectPointer(&this->Internal->Scene), newScene);
+  this->GetMRMLSceneObserverManager()->SetAndObserveObject(vtkObjectPointer(&this->Internal->Scene),
+                                                           newScene);
 }
 
 void vtkMRMLAbstractLogic::SetAndObserveMRMLSceneEventsInternal(vtkMRMLScene* newScene,
@@ -118,7 +118,7 @@ void vtkMRMLAbstractLogic::SetAndObserveMRMLSceneEventsInternal(vtkMRMLScene* ne
                                                                 vtkFloatArray* priorities)
 {
   this->GetMRMLSceneObserverManager()->SetAndObserveObjectEvents(
-    vtkObjectPointer(&this->Internal->Scene), newScene, events, priorities);
+      vtkObjectPointer(&this->Internal->Scene), newScene, events, priorities);
 }
 
 void vtkMRMLAbstractLogic::ProcessMRMLSceneEvents(vtkObject*, unsigned long event, void* callData)

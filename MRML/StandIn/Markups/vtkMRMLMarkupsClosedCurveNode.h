@@ -4,7 +4,7 @@
 
 /// A curve that returns to its first control point.
 class VTK_SLICER_MARKUPS_MODULE_MRML_EXPORT vtkMRMLMarkupsClosedCurveNode
-  : public vtkMRMLMarkupsCurveNode
+    : public vtkMRMLMarkupsCurveNode
 {
 public:
   static vtkMRMLMarkupsClosedCurveNode* New();

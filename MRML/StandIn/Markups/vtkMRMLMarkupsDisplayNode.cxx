@@ -9,9 +9,9 @@ vtkMRMLNodeNewMacro(vtkMRMLMarkupsDisplayNode);
 namespace
 {
 
-const char* const glyphTypes[] = {"Invalid",      "StarBurst2D", "Cross2D",    "CrossDot2D",
-                                  "ThickCross2D", "Dash2D",      "Sphere3D",   "Vertex2D",
-                                  "Circle2D",     "Triangle2D",  "Square2D",   "Diamond2D",
+const char* const glyphTypes[] = {"Invalid",      "StarBurst2D",  "Cross2D",      "CrossDot2D",
+                                  "ThickCross2D", "Dash2D",       "Sphere3D",     "Vertex2D",
+                                  "Circle2D",     "Triangle2D",   "Square2D",     "Diamond2D",
                                   "Arrow2D",      "ThickArrow2D", "HookedArrow2D"};
 
 } // namespace

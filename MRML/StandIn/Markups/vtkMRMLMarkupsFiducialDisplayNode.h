@@ -4,7 +4,7 @@
 
 /// How is a list of points seen.
 class VTK_SLICER_MARKUPS_MODULE_MRML_EXPORT vtkMRMLMarkupsFiducialDisplayNode
-  : public vtkMRMLMarkupsDisplayNode
+    : public vtkMRMLMarkupsDisplayNode
 {
 public:
   static vtkMRMLMarkupsFiducialDisplayNode* New();

@@ -23,8 +23,5 @@ protected:
   vtkMRMLMarkupsFiducialNode(const vtkMRMLMarkupsFiducialNode&) = delete;
   void operator=(const vtkMRMLMarkupsFiducialNode&) = delete;
 
-  const char* GetDefaultDisplayNodeClass() override
-  {
-    return "vtkMRMLMarkupsFiducialDisplayNode";
-  }
+  const char* GetDefaultDisplayNodeClass() override { return "vtkMRMLMarkupsFiducialDisplayNode"; }
 };

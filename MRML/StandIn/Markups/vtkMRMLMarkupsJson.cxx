@@ -25,8 +25,8 @@ bool ReadNumbers(const Json& object, const char* member, int count, double* valu
   }
   if (!found->is_array() || found->size() != static_cast<std::size_t>(count))
   {
-    throw std::runtime_error(std::string(member) + " is no list of " + std::to_string(count)
-                             + " numbers");
+    throw std::runtime_error(std::string(member) + " is no list of " + std::to_string(count) +
+                             " numbers");
   }
   for (int i = 0; i < count; ++i)
   {
@@ -83,8 +83,8 @@ std::unique_ptr<vtkMRMLMarkupsNode::ControlPoint> PointFromJson(const Json& obje
   {
     throw std::runtime_error("positionStatus is '" + status + "'");
   }
-  if (!ReadNumbers(object, "position", 3, point->Position)
-      && point->PositionStatus == vtkMRMLMarkupsNode::PositionDefined)
+  if (!ReadNumbers(object, "position", 3, point->Position) &&
+      point->PositionStatus == vtkMRMLMarkupsNode::PositionDefined)
   {
     point->PositionStatus = vtkMRMLMarkupsNode::PositionUndefined;
   }
@@ -107,8 +107,8 @@ void PointToJson(const vtkMRMLMarkupsNode::ControlPoint& point, bool lps, Json& 
   object["description"] = point.Description;
   object["associatedNodeID"] = point.AssociatedNodeID;
   object["position"] = point.PositionStatus == vtkMRMLMarkupsNode::PositionDefined
-                         ? Numbers(point.Position, 3, lps ? 1 : 0)
-                         : Json("");
+                           ? Numbers(point.Position, 3, lps ? 1 : 0)
+                           : Json("");
   object["orientation"] = Numbers(point.OrientationMatrix, 9, lps ? 3 : 0);
   object["selected"] = point.Selected;
   object["locked"] = point.Locked;
@@ -124,8 +124,8 @@ void PointsToJson(vtkMRMLMarkupsNode* node, bool lps, Json& markup)
   {
     const vtkMRMLMarkupsNode::ControlPoint& point = *node->GetNthControlPoint(n);
     const auto known =
-      std::find_if(before.begin(), before.end(),
-                   [&point](const Json& one) { return one.value("id", Json()) == point.ID; });
+        std::find_if(before.begin(), before.end(),
+                     [&point](const Json& one) { return one.value("id", Json()) == point.ID; });
     Json object = known == before.end() ? Json::object() : *known;
     PointToJson(point, lps, object);
     points.push_back(std::move(object));
@@ -146,8 +146,9 @@ void PointsToJson(vtkMRMLMarkupsNode* node, bool lps, Json& markup)
 
 void PlaneFromJson(const Json& markup, bool lps, vtkMRMLMarkupsPlaneNode* plane)
 {
-  for (const auto& [member, matrix] : {std::make_pair("objectToBase", plane->GetObjectToBaseMatrix()),
-                                       std::make_pair("baseToNode", plane->GetBaseToNodeMatrix())})
+  for (const auto& [member, matrix] :
+       {std::make_pair("objectToBase", plane->GetObjectToBaseMatrix()),
+        std::make_pair("baseToNode", plane->GetBaseToNodeMatrix())})
   {
     double values[16];
     if (ReadNumbers(markup, member, 16, values))
@@ -167,7 +168,7 @@ void PlaneFromJson(const Json& markup, bool lps, vtkMRMLMarkupsPlaneNode* plane)
   const std::string mode = Read(markup, "sizeMode", std::string("auto"));
   plane->SetSizeMode(vtkMRMLMarkupsPlaneNode::GetSizeModeFromString(mode.c_str()));
   plane->SetAutoSizeScalingFactor(
-    Read(markup, "autoScalingFactor", plane->GetAutoSizeScalingFactor()));
+      Read(markup, "autoScalingFactor", plane->GetAutoSizeScalingFactor()));
   double size[3];
   if (ReadNumbers(markup, "size", 3, size))
   {
@@ -255,14 +256,13 @@ void vtkMRMLMarkupsFromJson(const Json& markup, bool& lps, vtkMRMLMarkupsNode* n
     plane->SetPlaneType(vtkMRMLMarkupsPlaneNode::GetPlaneTypeFromString(planeType.c_str()));
   }
   node->SetLocked(Read(markup, "locked", false));
-  node->SetControlPointLabelFormat(
-    Read(markup, "labelFormat", node->GetControlPointLabelFormat()));
+  node->SetControlPointLabelFormat(Read(markup, "labelFormat", node->GetControlPointLabelFormat()));
   for (auto& point : points)
   {
     node->AddControlPoint(point.release(), false);
   }
   node->SetLastUsedControlPointNumber(
-    Read(markup, "lastUsedControlPointNumber", node->GetLastUsedControlPointNumber()));
+      Read(markup, "lastUsedControlPointNumber", node->GetLastUsedControlPointNumber()));
   if (plane)
   {
     PlaneFromJson(markup, lps, plane);

@@ -16,9 +16,9 @@ namespace
 {
 
 // The name of a format, nothing that is fetched.
-const char* const schema =
-  "https://raw.githubusercontent.com/slicer/slicer/master/Modules/Loadable/Markups/Resources/Schema/"
-  "markups-schema-v1.0.3.json#";
+const char* const schema = "https://raw.githubusercontent.com/slicer/slicer/master/Modules/"
+                           "Loadable/Markups/Resources/Schema/"
+                           "markups-schema-v1.0.3.json#";
 
 } // namespace
 
@@ -75,8 +75,8 @@ int vtkMRMLMarkupsJsonStorageNode::WriteDataInternal(vtkMRMLNode* refNode)
   auto* node = static_cast<vtkMRMLMarkupsNode*>(refNode);
   try
   {
-    vtkMRMLMarkupsJson markup =
-      this->KeptJson.empty() ? vtkMRMLMarkupsJson::object() : vtkMRMLMarkupsJson::parse(this->KeptJson);
+    vtkMRMLMarkupsJson markup = this->KeptJson.empty() ? vtkMRMLMarkupsJson::object()
+                                                       : vtkMRMLMarkupsJson::parse(this->KeptJson);
     vtkMRMLMarkupsToJson(node, this->CoordinateSystem == CoordinateSystemLPS, markup);
     vtkMRMLMarkupsJson document;
     document["@schema"] = schema;

@@ -6,7 +6,7 @@
 /// A markups node's .mrk.json file, by Slicer's schema 1.0.3. What a file says beyond what the classes
 /// here know is written back.
 class VTK_SLICER_MARKUPS_MODULE_MRML_EXPORT vtkMRMLMarkupsJsonStorageNode
-  : public vtkMRMLMarkupsStorageNode
+    : public vtkMRMLMarkupsStorageNode
 {
 public:
   static vtkMRMLMarkupsJsonStorageNode* New();

@@ -95,7 +95,7 @@ void vtkMRMLMarkupsNode::CreateDefaultDisplayNodes()
   if (!this->GetMarkupsDisplayNode() && this->GetScene())
   {
     this->SetAndObserveDisplayNodeID(
-      this->GetScene()->AddNewNodeByClass(this->GetDefaultDisplayNodeClass())->GetID());
+        this->GetScene()->AddNewNodeByClass(this->GetDefaultDisplayNodeClass())->GetID());
   }
 }
 
@@ -132,8 +132,7 @@ void vtkMRMLMarkupsNode::SetFixedNumberOfControlPoints(bool fixed)
     this->FixedNumberOfControlPoints = fixed;
     this->StorableModified();
     this->Modified();
-    this->InvokeCustomModifiedEvent(
-      vtkMRMLMarkupsNode::FixedNumberOfControlPointsModifiedEvent);
+    this->InvokeCustomModifiedEvent(vtkMRMLMarkupsNode::FixedNumberOfControlPointsModifiedEvent);
   }
 }
 
@@ -167,13 +166,13 @@ vtkMRMLMarkupsNode::ControlPoint* vtkMRMLMarkupsNode::PointForChange(int n, cons
 
 int vtkMRMLMarkupsNode::GetNumberOfDefinedControlPoints(bool includePreview)
 {
-  return static_cast<int>(
-    std::count_if(this->ControlPoints.begin(), this->ControlPoints.end(),
-                  [includePreview](const auto& point)
-                  {
-                    return point->PositionStatus == PositionDefined
-                        || (includePreview && point->PositionStatus == PositionPreview);
-                  }));
+  return static_cast<int>(std::count_if(this->ControlPoints.begin(), this->ControlPoints.end(),
+                                        [includePreview](const auto& point)
+                                        {
+                                          return point->PositionStatus == PositionDefined ||
+                                                 (includePreview &&
+                                                  point->PositionStatus == PositionPreview);
+                                        }));
 }
 
 void vtkMRMLMarkupsNode::PointsModified(int event, int pointIndex)
@@ -191,8 +190,8 @@ void vtkMRMLMarkupsNode::PointsModified(int event, int pointIndex)
 bool vtkMRMLMarkupsNode::HasRoomFor(const char* method)
 {
   const int count = this->GetNumberOfControlPoints();
-  if (this->FixedNumberOfControlPoints
-      || (this->MaximumNumberOfControlPoints >= 0 && count >= this->MaximumNumberOfControlPoints))
+  if (this->FixedNumberOfControlPoints ||
+      (this->MaximumNumberOfControlPoints >= 0 && count >= this->MaximumNumberOfControlPoints))
   {
     vtkErrorMacro(<< method << ": the node takes no more control points than its " << count);
     return false;
@@ -374,8 +373,8 @@ vtkVector3d vtkMRMLMarkupsNode::GetNthControlPointPositionWorld(int pointIndex)
   return world;
 }
 
-void vtkMRMLMarkupsNode::SetNthControlPointPosition(const int pointIndex,
-                                                    const double position[3], int positionStatus)
+void vtkMRMLMarkupsNode::SetNthControlPointPosition(const int pointIndex, const double position[3],
+                                                    int positionStatus)
 {
   ControlPoint* point = this->PointForChange(pointIndex, "SetNthControlPointPosition");
   if (!point)
@@ -564,7 +563,7 @@ void vtkMRMLMarkupsNode::BoundsOfPoints(bool world, double bounds[6])
     if (this->GetNthControlPointPositionStatus(n) == PositionDefined)
     {
       vtkVector3d point = world ? this->GetNthControlPointPositionWorld(n)
-                                      : this->GetNthControlPointPositionVector(n);
+                                : this->GetNthControlPointPositionVector(n);
       box.AddPoint(point.GetData());
     }
   }

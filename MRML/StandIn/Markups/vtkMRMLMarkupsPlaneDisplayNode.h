@@ -4,7 +4,7 @@
 
 /// How is a plane seen.
 class VTK_SLICER_MARKUPS_MODULE_MRML_EXPORT vtkMRMLMarkupsPlaneDisplayNode
-  : public vtkMRMLMarkupsDisplayNode
+    : public vtkMRMLMarkupsDisplayNode
 {
 public:
   static vtkMRMLMarkupsPlaneDisplayNode* New();

@@ -4,7 +4,7 @@
 
 /// A plane's .mrk.json file.
 class VTK_SLICER_MARKUPS_MODULE_MRML_EXPORT vtkMRMLMarkupsPlaneJsonStorageNode
-  : public vtkMRMLMarkupsJsonStorageNode
+    : public vtkMRMLMarkupsJsonStorageNode
 {
 public:
   static vtkMRMLMarkupsPlaneJsonStorageNode* New();

@@ -194,8 +194,8 @@ void vtkMRMLMarkupsPlaneNode::SetSize(double x, double y)
     {
       const double before = this->Size[axis];
       bounds[2 * axis + end] = before > 0.0
-                                 ? this->PlaneBounds[2 * axis + end] / before * wanted[axis]
-                                 : (end - 0.5) * wanted[axis];
+                                   ? this->PlaneBounds[2 * axis + end] / before * wanted[axis]
+                                   : (end - 0.5) * wanted[axis];
     }
   }
   this->SetPlaneBounds(bounds[0], bounds[1], bounds[2], bounds[3]);
@@ -457,8 +457,8 @@ void vtkMRMLMarkupsPlaneNode::SetAxes(const double x[3], const double y[3], cons
 {
   double across[3];
   vtkMath::Cross(x, y, across);
-  if (vtkMath::Dot(across, z) < 1.0 - 1e-5 || std::abs(vtkMath::Dot(x, y)) > 1e-5
-      || std::abs(vtkMath::Norm(x) - 1.0) > 1e-5 || std::abs(vtkMath::Norm(y) - 1.0) > 1e-5)
+  if (vtkMath::Dot(across, z) < 1.0 - 1e-5 || std::abs(vtkMath::Dot(x, y)) > 1e-5 ||
+      std::abs(vtkMath::Norm(x) - 1.0) > 1e-5 || std::abs(vtkMath::Norm(y) - 1.0) > 1e-5)
   {
     vtkErrorMacro("SetAxes: the axes are not orthonormal and right-handed");
     return;
@@ -483,8 +483,7 @@ void vtkMRMLMarkupsPlaneNode::GetAxesWorld(double x[3], double y[3], double z[3]
   vtkMath::Cross(z, x, y);
 }
 
-void vtkMRMLMarkupsPlaneNode::SetAxesWorld(const double x[3], const double y[3],
-                                           const double z[3])
+void vtkMRMLMarkupsPlaneNode::SetAxesWorld(const double x[3], const double y[3], const double z[3])
 {
   vtkNew<vtkMatrix4x4> toNode;
   this->NodeToWorld(toNode);

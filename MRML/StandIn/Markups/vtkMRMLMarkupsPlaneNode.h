@@ -87,10 +87,7 @@ protected:
   vtkMRMLMarkupsPlaneNode(const vtkMRMLMarkupsPlaneNode&) = delete;
   void operator=(const vtkMRMLMarkupsPlaneNode&) = delete;
 
-  const char* GetDefaultDisplayNodeClass() override
-  {
-    return "vtkMRMLMarkupsPlaneDisplayNode";
-  }
+  const char* GetDefaultDisplayNodeClass() override { return "vtkMRMLMarkupsPlaneDisplayNode"; }
 
   vtkSetMacro(MaximumNumberOfControlPoints, int);
   vtkSetMacro(RequiredNumberOfControlPoints, int);

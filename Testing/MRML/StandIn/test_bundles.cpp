@@ -111,10 +111,11 @@ TEST(BundleTest, FilesOfUnknownNodesGoAlong)
   const TemporaryFolder folder;
   const std::string segmentation = "NRRD0004 something that nothing here reads";
   folder.write("in/Data/Segmentation.seg.nrrd", segmentation);
-  folder.write("in/scene.mrml", "<MRML><Segmentation id=\"vtkMRMLSegmentationNode1\""
-                                " references=\"storage:vtkMRMLSegmentationStorageNode1;\"></Segmentation>"
-                                "<SegmentationStorage id=\"vtkMRMLSegmentationStorageNode1\""
-                                " fileName=\"Data/Segmentation.seg.nrrd\"></SegmentationStorage></MRML>");
+  folder.write("in/scene.mrml",
+               "<MRML><Segmentation id=\"vtkMRMLSegmentationNode1\""
+               " references=\"storage:vtkMRMLSegmentationStorageNode1;\"></Segmentation>"
+               "<SegmentationStorage id=\"vtkMRMLSegmentationStorageNode1\""
+               " fileName=\"Data/Segmentation.seg.nrrd\"></SegmentationStorage></MRML>");
   vtkNew<vtkMRMLScene> scene;
   ASSERT_EQ("", load_scene(scene, folder / "in/scene.mrml"));
   ASSERT_TRUE(scene->WriteToMRB((folder / "a.mrb").c_str()));
@@ -135,18 +136,20 @@ TEST(BundleTest, FilesThatCannotBeReadGoAlong)
 {
   const QuietVtk quiet;
   const TemporaryFolder folder;
-  const std::string other = "#Insight Transform File V1.0\n#Transform 0\nTransform: Unheard_double_3_3\n";
-  folder.write("scene.mrml", "<MRML><LinearTransform id=\"vtkMRMLLinearTransformNode1\" name=\"t\""
-                             " references=\"storage:vtkMRMLTransformStorageNode1;\"></LinearTransform>"
-                             "<TransformStorage id=\"vtkMRMLTransformStorageNode1\""
-                             " fileName=\"other.tfm\"></TransformStorage></MRML>");
+  const std::string other =
+      "#Insight Transform File V1.0\n#Transform 0\nTransform: Unheard_double_3_3\n";
+  folder.write("scene.mrml",
+               "<MRML><LinearTransform id=\"vtkMRMLLinearTransformNode1\" name=\"t\""
+               " references=\"storage:vtkMRMLTransformStorageNode1;\"></LinearTransform>"
+               "<TransformStorage id=\"vtkMRMLTransformStorageNode1\""
+               " fileName=\"other.tfm\"></TransformStorage></MRML>");
   folder.write("other.tfm", other);
   vtkNew<vtkMRMLScene> scene;
   EXPECT_NE("", load_scene(scene, folder / "scene.mrml"));
   ASSERT_TRUE(scene->WriteToMRB((folder / "a.mrb").c_str()));
   vtkNew<vtkMRMLScene> unpacked;
-  const std::string mrml = vtkMRMLScene::UnpackSlicerDataBundle(
-    (folder / "a.mrb").c_str(), (folder / "out").c_str());
+  const std::string mrml =
+      vtkMRMLScene::UnpackSlicerDataBundle((folder / "a.mrb").c_str(), (folder / "out").c_str());
   ASSERT_NE("", mrml);
   EXPECT_EQ(other, read_text(std::filesystem::path(mrml).parent_path() / "Data/other.tfm"));
 }
@@ -174,8 +177,8 @@ TEST_P(BadBundleTest, NamesOutsideOfItAreRefused)
 }
 
 INSTANTIATE_TEST_SUITE_P(Names, BadBundleTest,
-                         ::testing::Values("../evil", "a/../../evil", "/tmp/evil", "a/../../../evil",
-                                           "..\\evil", "a/.."));
+                         ::testing::Values("../evil", "a/../../evil", "/tmp/evil",
+                                           "a/../../../evil", "..\\evil", "a/.."));
 
 TEST(BundleTest, SceneInABundleCannotReadOutside)
 {
@@ -185,9 +188,10 @@ TEST(BundleTest, SceneInABundleCannotReadOutside)
   auto* skin = add_model(source, "skin");
   ASSERT_TRUE(save_data(skin, folder / "secret.vtp"));
   const std::string scene_file =
-    "<MRML><Model id=\"vtkMRMLModelNode1\" name=\"skin\" references=\"storage:vtkMRMLModelStorageNode1;\">"
-    "</Model><ModelStorage id=\"vtkMRMLModelStorageNode1\" fileName=\""
-    + (folder / "secret.vtp").string() + "\"></ModelStorage></MRML>";
+      "<MRML><Model id=\"vtkMRMLModelNode1\" name=\"skin\" "
+      "references=\"storage:vtkMRMLModelStorageNode1;\">"
+      "</Model><ModelStorage id=\"vtkMRMLModelStorageNode1\" fileName=\"" +
+      (folder / "secret.vtp").string() + "\"></ModelStorage></MRML>";
   folder.write("bad.mrb", zip({{"a/a.mrml", scene_file}}));
   vtkNew<vtkMRMLScene> scene;
   const std::string message = read_bundle(scene, folder / "bad.mrb");

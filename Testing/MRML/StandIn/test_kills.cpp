@@ -58,9 +58,8 @@ bool save(vtkMRMLScene* scene, const std::filesystem::path& folder)
   bool saved = true;
   for (const char* name : {"skin", "bone"})
   {
-    saved = saved
-         && save_data(vtkMRMLModelNode::SafeDownCast(scene->GetFirstNodeByName(name)),
-                      folder / (std::string(name) + ".vtp"));
+    saved = saved && save_data(vtkMRMLModelNode::SafeDownCast(scene->GetFirstNodeByName(name)),
+                               folder / (std::string(name) + ".vtp"));
   }
   saved = saved && save_scene(scene, folder / "case.mrml");
   scene->EndState(vtkMRMLScene::SaveState);
@@ -78,13 +77,13 @@ void kill_while_saving(const Save& save_state, const Load& load)
   for (int i = 0; i < kills; ++i)
   {
     const pid_t child = start_child(
-      [&]
-      {
-        for (int n = last + 1; n < last + 100000; ++n)
+        [&]
         {
-          save_state(n % 30);
-        }
-      });
+          for (int n = last + 1; n < last + 100000; ++n)
+          {
+            save_state(n % 30);
+          }
+        });
     std::this_thread::sleep_for(std::chrono::microseconds(microseconds(random)));
     kill(child, SIGKILL);
     ASSERT_EQ(-SIGKILL, end_of(child)) << "the child saves until it is killed";
@@ -100,42 +99,42 @@ TEST(KillTest, SceneAndDataAreOldOrNew)
 {
   const TemporaryFolder folder;
   kill_while_saving(
-    [&folder](int n)
-    {
-      vtkNew<vtkMRMLScene> scene;
-      set_state(scene, n);
-      if (!save(scene, folder.path()))
+      [&folder](int n)
       {
-        _exit(4);
-      }
-    },
-    [&folder]
-    {
-      vtkNew<vtkMRMLScene> scene;
-      const std::string message = load_scene(scene, folder / "case.mrml");
-      EXPECT_EQ("", message);
-      return state_of(scene);
-    });
+        vtkNew<vtkMRMLScene> scene;
+        set_state(scene, n);
+        if (!save(scene, folder.path()))
+        {
+          _exit(4);
+        }
+      },
+      [&folder]
+      {
+        vtkNew<vtkMRMLScene> scene;
+        const std::string message = load_scene(scene, folder / "case.mrml");
+        EXPECT_EQ("", message);
+        return state_of(scene);
+      });
 }
 
 TEST(KillTest, BundleIsOldOrNew)
 {
   const TemporaryFolder folder;
   kill_while_saving(
-    [&folder](int n)
-    {
-      vtkNew<vtkMRMLScene> scene;
-      set_state(scene, n);
-      if (!scene->WriteToMRB((folder / "case.mrb").c_str()))
+      [&folder](int n)
       {
-        _exit(4);
-      }
-    },
-    [&folder]
-    {
-      vtkNew<vtkMRMLScene> scene;
-      EXPECT_TRUE(scene->ReadFromMRB((folder / "case.mrb").c_str(), true));
-      return state_of(scene);
-    });
+        vtkNew<vtkMRMLScene> scene;
+        set_state(scene, n);
+        if (!scene->WriteToMRB((folder / "case.mrb").c_str()))
+        {
+          _exit(4);
+        }
+      },
+      [&folder]
+      {
+        vtkNew<vtkMRMLScene> scene;
+        EXPECT_TRUE(scene->ReadFromMRB((folder / "case.mrb").c_str(), true));
+        return state_of(scene);
+      });
   EXPECT_LE(folder.file_count(), 3U) << "what kills leave does not pile up";
 }

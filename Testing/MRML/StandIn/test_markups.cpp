@@ -20,8 +20,9 @@ namespace
 {
 
 const std::string schema =
-  "{\"@schema\": \"https://raw.githubusercontent.com/slicer/slicer/master/Modules/Loadable/Markups/"
-  "Resources/Schema/markups-schema-v1.0.3.json#\", \"markups\": [";
+    "{\"@schema\": "
+    "\"https://raw.githubusercontent.com/slicer/slicer/master/Modules/Loadable/Markups/"
+    "Resources/Schema/markups-schema-v1.0.3.json#\", \"markups\": [";
 
 /// As Slicer 5.8 writes a list of points, with members that are not known here.
 const std::string slicer_points = schema + R"({
@@ -304,8 +305,9 @@ TEST(MarkupsFileTest, MembersThatAreNotKnownStay)
   ASSERT_NE(nullptr, points);
   ASSERT_TRUE(save_data(points, folder / "same.mrk.json"));
   std::string text = read_text(folder / "same.mrk.json");
-  for (const char* member : {"\"confidence\": 0.75", "\"UCUM\"", "\"snapMode\": \"toVisibleSurface\"",
-                             "\"value\": 12.5", "\"position\": \"\"", "markups-schema-v1.0.3"})
+  for (const char* member :
+       {"\"confidence\": 0.75", "\"UCUM\"", "\"snapMode\": \"toVisibleSurface\"", "\"value\": 12.5",
+        "\"position\": \"\"", "markups-schema-v1.0.3"})
   {
     EXPECT_NE(std::string::npos, text.find(member)) << member;
   }
@@ -328,7 +330,7 @@ TEST(MarkupsFileTest, PointsKeepTheirDigits)
   {
     points->AddDefaultStorageNode();
     vtkMRMLMarkupsJsonStorageNode::SafeDownCast(points->GetStorageNode())
-      ->SetCoordinateSystem(frame);
+        ->SetCoordinateSystem(frame);
     ASSERT_TRUE(save_data(points, folder / "F.mrk.json"));
     auto* back = read_again<vtkMRMLMarkupsFiducialNode>(scene, points);
     ASSERT_NE(nullptr, back);
@@ -434,12 +436,15 @@ TEST_P(BadMarkupsTest, IsAnErrorAndThePointsStay)
 }
 
 INSTANTIATE_TEST_SUITE_P(
-  Files, BadMarkupsTest,
-  ::testing::Values(
-    "", "nonsense", "[]", "{}", "{\"markups\": []}", "{\"markups\": [1]}",
-    "{\"markups\": [{\"type\": \"Curve\"}]}", "{\"markups\": [{\"type\": 5}]}",
-    "{\"markups\": [{\"type\": \"Fiducial\", \"coordinateSystem\": \"XYZ\"}]}",
-    "{\"markups\": [{\"type\": \"Fiducial\", \"controlPoints\": [{\"position\": [1, 2]}]}]}",
-    "{\"markups\": [{\"type\": \"Fiducial\", \"controlPoints\": [{\"position\": [1, 2, \"x\"]}]}]}",
-    "{\"markups\": [{\"type\": \"Fiducial\", \"controlPoints\": [{\"position\": [1e999, 2, 3]}]}]}",
-    "{\"markups\": [{\"type\": \"Fiducial\", \"controlPoints\": [{\"positionStatus\": \"lost\"}]}]}"));
+    Files, BadMarkupsTest,
+    ::testing::Values(
+        "", "nonsense", "[]", "{}", "{\"markups\": []}", "{\"markups\": [1]}",
+        "{\"markups\": [{\"type\": \"Curve\"}]}", "{\"markups\": [{\"type\": 5}]}",
+        "{\"markups\": [{\"type\": \"Fiducial\", \"coordinateSystem\": \"XYZ\"}]}",
+        "{\"markups\": [{\"type\": \"Fiducial\", \"controlPoints\": [{\"position\": [1, 2]}]}]}",
+        "{\"markups\": [{\"type\": \"Fiducial\", \"controlPoints\": [{\"position\": [1, 2, "
+        "\"x\"]}]}]}",
+        "{\"markups\": [{\"type\": \"Fiducial\", \"controlPoints\": [{\"position\": [1e999, 2, "
+        "3]}]}]}",
+        "{\"markups\": [{\"type\": \"Fiducial\", \"controlPoints\": [{\"positionStatus\": "
+        "\"lost\"}]}]}"));

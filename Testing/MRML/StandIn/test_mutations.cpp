@@ -58,11 +58,38 @@ void write_good_case(const std::filesystem::path& folder)
 
 std::string mutated(std::string bytes, std::mt19937& random)
 {
-  static const char* const pieces[] = {
-    "../",  "/",     "\"",     "<",    ">",      "</",   "&#0;", "&amp;",  "]]>", "<!--",  "%25",
-    "%00",  ";",     ":",      "-1",   "1e999",  "nan",  "0",    "[",      "{",   "null",  "\\u0000",
-    "9999999999999", "\xff\xfe", "PK\x03\x04", "../../../../tmp/f2b_evil", "vtkMRMLModelNode1", "%s%n",
-    "fileName=\"../evil.vtp\"", "singletonTag=\"1\"", "id=\"\"", "<Model></Model>"};
+  static const char* const pieces[] = {"../",
+                                       "/",
+                                       "\"",
+                                       "<",
+                                       ">",
+                                       "</",
+                                       "&#0;",
+                                       "&amp;",
+                                       "]]>",
+                                       "<!--",
+                                       "%25",
+                                       "%00",
+                                       ";",
+                                       ":",
+                                       "-1",
+                                       "1e999",
+                                       "nan",
+                                       "0",
+                                       "[",
+                                       "{",
+                                       "null",
+                                       "\\u0000",
+                                       "9999999999999",
+                                       "\xff\xfe",
+                                       "PK\x03\x04",
+                                       "../../../../tmp/f2b_evil",
+                                       "vtkMRMLModelNode1",
+                                       "%s%n",
+                                       "fileName=\"../evil.vtp\"",
+                                       "singletonTag=\"1\"",
+                                       "id=\"\"",
+                                       "<Model></Model>"};
   const auto pick = [&random](std::size_t n)
   { return std::uniform_int_distribution<std::size_t>(0, n - 1)(random); };
   const std::size_t changes = 1 + pick(6);
@@ -160,8 +187,7 @@ TEST(MutationTest, IsAnErrorOrALoadButNeverACrash)
     const std::string name = damaged[static_cast<std::size_t>(seed) % std::size(damaged)];
     std::filesystem::remove_all(scene_folder);
     std::filesystem::copy(good, scene_folder);
-    std::ofstream(scene_folder / name, std::ios::binary)
-      << mutated(read_text(good / name), random);
+    std::ofstream(scene_folder / name, std::ios::binary) << mutated(read_text(good / name), random);
     const bool scene_itself = name.find(".mrml") != std::string::npos || name == "case.mrb";
     const auto file = scene_folder / (scene_itself ? name : "case.mrml");
     ASSERT_EQ(0, end_of(start_child([&file] { use(file); }))) << "seed " << seed << ", " << name;

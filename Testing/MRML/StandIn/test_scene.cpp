@@ -283,9 +283,10 @@ TEST(ImportTest, ReferencesOutOfTheFileHitNobody)
 TEST(ImportTest, AttributesOfSlicer4AreReferences)
 {
   vtkNew<vtkMRMLScene> scene;
-  ASSERT_EQ(1, import_text(scene, "<MRML><ModelDisplay id=\"vtkMRMLModelDisplayNode1\"></ModelDisplay>"
-                                  "<Model id=\"vtkMRMLModelNode1\" name=\"skin\""
-                                  " displayNodeRef=\"vtkMRMLModelDisplayNode1\"></Model></MRML>"));
+  ASSERT_EQ(1,
+            import_text(scene, "<MRML><ModelDisplay id=\"vtkMRMLModelDisplayNode1\"></ModelDisplay>"
+                               "<Model id=\"vtkMRMLModelNode1\" name=\"skin\""
+                               " displayNodeRef=\"vtkMRMLModelDisplayNode1\"></Model></MRML>"));
   auto* skin = vtkMRMLModelNode::SafeDownCast(scene->GetFirstNodeByName("skin"));
   ASSERT_NE(nullptr, skin->GetDisplayNode());
   EXPECT_STREQ("vtkMRMLModelDisplayNode1", skin->GetDisplayNode()->GetID());

@@ -71,8 +71,8 @@ std::string lost(vtkXMLDataElement* before, vtkXMLDataElement* after)
     const char* value = after->GetAttribute(name);
     if (!value || words(value) != words(before->GetAttributeValue(i)))
     {
-      missing += std::string(name) + "=" + before->GetAttributeValue(i) + " became "
-               + (value ? value : "nothing") + "; ";
+      missing += std::string(name) + "=" + before->GetAttributeValue(i) + " became " +
+                 (value ? value : "nothing") + "; ";
     }
   }
   if (before->GetNumberOfNestedElements() != after->GetNumberOfNestedElements())
@@ -228,11 +228,13 @@ TEST(SceneFileTest, FoldersCanBeMoved)
     ASSERT_TRUE(save_data(skin, folder / "here/data/skin.vtp"));
     ASSERT_TRUE(save_scene(scene, folder / "here/case.mrml"));
   }
-  EXPECT_NE(std::string::npos, read_text(folder / "here/case.mrml").find("fileName=\"data/skin.vtp\""));
+  EXPECT_NE(std::string::npos,
+            read_text(folder / "here/case.mrml").find("fileName=\"data/skin.vtp\""));
   std::filesystem::rename(folder / "here", folder / "there");
   vtkNew<vtkMRMLScene> scene;
   ASSERT_EQ("", load_scene(scene, folder / "there/case.mrml"));
-  EXPECT_NE(nullptr, vtkMRMLModelNode::SafeDownCast(scene->GetFirstNodeByName("skin"))->GetPolyData());
+  EXPECT_NE(nullptr,
+            vtkMRMLModelNode::SafeDownCast(scene->GetFirstNodeByName("skin"))->GetPolyData());
 }
 
 TEST(SceneFileTest, NumbersKeepTheirDigits)
@@ -253,7 +255,7 @@ TEST(SceneFileTest, NumbersKeepTheirDigits)
   EXPECT_EQ(1.0 / 3.0, back->GetDisplayNode()->GetScalarRange()[1]);
   vtkNew<vtkMatrix4x4> moved;
   vtkMRMLTransformNode::SafeDownCast(again->GetFirstNodeByName("move"))
-    ->GetMatrixTransformToParent(moved);
+      ->GetMatrixTransformToParent(moved);
   EXPECT_EQ(value, moved->GetElement(0, 3));
   EXPECT_EQ(1e-17, moved->GetElement(1, 2));
 }
@@ -301,12 +303,12 @@ TEST_P(BadSceneTest, IsAnErrorAndNoNodeIsAdded)
 }
 
 INSTANTIATE_TEST_SUITE_P(
-  Files, BadSceneTest,
-  ::testing::Values("", "no XML", "<MRML", "<MRML><Model id=\"a\"></MRML>",
-                    "<MRML><Model id=\"a\" id=\"b\"></Model></MRML>",
-                    "<MRML><Model name=\"&nothing;\"></Model></MRML>",
-                    "<!DOCTYPE l [<!ENTITY a \"aaaaaaaaaaaaaaaaaaaa\"><!ENTITY b "
-                    "\"&a;&a;&a;&a;&a;&a;&a;&a;\"> ]><MRML><Model name=\"&b;\"></MRML>"));
+    Files, BadSceneTest,
+    ::testing::Values("", "no XML", "<MRML", "<MRML><Model id=\"a\"></MRML>",
+                      "<MRML><Model id=\"a\" id=\"b\"></Model></MRML>",
+                      "<MRML><Model name=\"&nothing;\"></Model></MRML>",
+                      "<!DOCTYPE l [<!ENTITY a \"aaaaaaaaaaaaaaaaaaaa\"><!ENTITY b "
+                      "\"&a;&a;&a;&a;&a;&a;&a;&a;\"> ]><MRML><Model name=\"&b;\"></MRML>"));
 
 TEST(SceneFileTest, NoFileIsAnError)
 {

@@ -33,7 +33,7 @@ Node* read_again(vtkMRMLScene* scene, vtkMRMLStorableNode* written)
 {
   auto* node = add_node<Node>(scene, "again");
   const auto storage =
-    vtkSmartPointer<vtkMRMLStorageNode>::Take(written->CreateDefaultStorageNode());
+      vtkSmartPointer<vtkMRMLStorageNode>::Take(written->CreateDefaultStorageNode());
   storage->SetFileName(written->GetStorageNode()->GetFileName());
   scene->AddNode(storage);
   return storage->ReadData(node) ? node : nullptr;
@@ -126,7 +126,7 @@ TEST(ModelFileTest, TheFilesOwnFrameGoesBeforeTheNodes)
   auto* model = add_model(scene, "skin");
   model->AddDefaultStorageNode();
   vtkMRMLModelStorageNode::SafeDownCast(model->GetStorageNode())
-    ->SetCoordinateSystem(vtkMRMLStorageNode::CoordinateSystemRAS);
+      ->SetCoordinateSystem(vtkMRMLStorageNode::CoordinateSystemRAS);
   for (const char* name : {"ras.vtp", "ras.vtk", "ras.stl", "ras.ply"})
   {
     ASSERT_TRUE(save_data(model, folder / name)) << name;
@@ -171,7 +171,8 @@ TEST(ModelFileTest, ArraysComeBackAsTheyWere)
     auto* far = back->GetPolyData()->GetPointData()->GetArray("signed distance");
     for (vtkIdType i = 0; i < count; ++i)
     {
-      ASSERT_EQ(1.0 / 3.0, moved->GetComponent(i, 0)) << "vectors that are not active are not turned";
+      ASSERT_EQ(1.0 / 3.0, moved->GetComponent(i, 0))
+          << "vectors that are not active are not turned";
       ASSERT_EQ(displacement->GetComponent(i, 1), moved->GetComponent(i, 1));
       ASSERT_EQ(distances->GetValue(i), far->GetComponent(i, 0));
     }
@@ -341,8 +342,10 @@ TEST(TransformFileTest, WrongFilesAreErrors)
   vtkNew<vtkMRMLScene> scene;
   const std::string head = "#Insight Transform File V1.0\n#Transform 0\nTransform: ";
   for (const std::string& text :
-       {std::string("nonsense"), head + "NoSuchTransform_double_3_3\nParameters: 1\nFixedParameters: 0\n",
-        head + "AffineTransform_double_3_3\nParameters: 0 0 0 0 0 0 0 0 0 0 0 0\nFixedParameters: 0 0 0\n",
+       {std::string("nonsense"),
+        head + "NoSuchTransform_double_3_3\nParameters: 1\nFixedParameters: 0\n",
+        head + "AffineTransform_double_3_3\nParameters: 0 0 0 0 0 0 0 0 0 0 0 0\nFixedParameters: "
+               "0 0 0\n",
         head + "AffineTransform_double_2_2\nParameters: 1 0 0 1 0 0\nFixedParameters: 0 0\n"})
   {
     auto* move = add_node<vtkMRMLLinearTransformNode>(scene);
@@ -406,9 +409,8 @@ TEST(VolumeFileTest, WrongFilesAreErrors)
   const TemporaryFolder folder;
   vtkNew<vtkMRMLScene> scene;
   const std::string head = "NRRD0004\ntype: short\ndimension: 3\nencoding: raw\nendian: little\n";
-  for (const std::string& text :
-       {std::string("nonsense"), head + "sizes: 100000 100000 100000\n\n", head + "sizes: 4 4 4\n\n",
-        head + "sizes: 0 4 4\n\n"})
+  for (const std::string& text : {std::string("nonsense"), head + "sizes: 100000 100000 100000\n\n",
+                                  head + "sizes: 4 4 4\n\n", head + "sizes: 0 4 4\n\n"})
   {
     auto* ct = add_node<vtkMRMLLabelMapVolumeNode>(scene);
     ct->AddDefaultStorageNode();

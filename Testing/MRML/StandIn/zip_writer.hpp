@@ -39,18 +39,18 @@ inline std::string zip(const std::vector<std::pair<std::string, std::string>>& f
   for (const auto& [name, content] : files)
   {
     const auto size = static_cast<std::uint32_t>(content.size());
-    const std::string common = number(20, 2) + number(0x800, 2) + number(0, 2) + number(0, 4)
-                             + number(checksum(content), 4) + number(size, 4) + number(size, 4)
-                             + number(static_cast<std::uint32_t>(name.size()), 2) + number(0, 2);
-    directory += "PK\x01\x02" + number(0x0314, 2) + common + number(0, 2) + number(0, 2)
-               + number(0, 2) + number(0100644U << 16, 4)
-               + number(static_cast<std::uint32_t>(body.size()), 4) + name;
+    const std::string common = number(20, 2) + number(0x800, 2) + number(0, 2) + number(0, 4) +
+                               number(checksum(content), 4) + number(size, 4) + number(size, 4) +
+                               number(static_cast<std::uint32_t>(name.size()), 2) + number(0, 2);
+    directory += "PK\x01\x02" + number(0x0314, 2) + common + number(0, 2) + number(0, 2) +
+                 number(0, 2) + number(0100644U << 16, 4) +
+                 number(static_cast<std::uint32_t>(body.size()), 4) + name;
     body += "PK\x03\x04" + common + name + content;
   }
   const auto count = static_cast<std::uint32_t>(files.size());
-  return body + directory + "PK\x05\x06" + number(0, 4) + number(count, 2) + number(count, 2)
-       + number(static_cast<std::uint32_t>(directory.size()), 4)
-       + number(static_cast<std::uint32_t>(body.size()), 4) + number(0, 2);
+  return body + directory + "PK\x05\x06" + number(0, 4) + number(count, 2) + number(count, 2) +
+         number(static_cast<std::uint32_t>(directory.size()), 4) +
+         number(static_cast<std::uint32_t>(body.size()), 4) + number(0, 2);
 }
 
 } // namespace f2b::test
