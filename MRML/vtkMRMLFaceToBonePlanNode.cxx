@@ -2,8 +2,6 @@
 
 #include "vtkMRMLFaceToBonePlannedMovement.h"
 
-#include <vtkMRMLScene.h>
-
 #include <vtkObjectFactory.h>
 #include <vtkVariant.h>
 
@@ -44,64 +42,20 @@ void vtkMRMLFaceToBonePlanNode::ReadXMLAttributes(const char** atts)
   Superclass::ReadXMLAttributes(atts);
   for (auto& movements : this->Movements)
     movements.clear();
-  this->ReadOptions(atts);
   vtkMRMLReadXMLBeginMacro(atts);
-  this->ReadResults(xmlReadAttName, xmlReadAttValue);
+  vtkMRMLReadXMLEnumMacro(selectedMethod, SelectedMethod);
+  vtkMRMLReadXMLStdStringMacro(provenance, Provenance);
+  vtkMRMLReadXMLIntMacro(statusCode, StatusCode);
+  vtkMRMLReadXMLStdStringMacro(statusText, StatusText);
+  this->ReadResult(xmlReadAttName, xmlReadAttValue);
   vtkMRMLReadXMLEndMacro();
   this->Modified();
 }
 
-void vtkMRMLFaceToBonePlanNode::ReadOptions(const char** atts)
-{
-  vtkMRMLReadXMLBeginMacro(atts);
-  vtkMRMLReadXMLEnumMacro(selectedMethod, SelectedMethod);
-  vtkMRMLReadXMLStdStringMacro(caseFolder, CaseFolder);
-  vtkMRMLReadXMLStdStringMacro(caseName, CaseName);
-  vtkMRMLReadXMLStdStringMacro(volumeFileName, VolumeFileName);
-  vtkMRMLReadXMLStdStringMacro(landmarksFileName, LandmarksFileName);
-  vtkMRMLReadXMLFloatMacro(spacingMm, SpacingMm);
-  vtkMRMLReadXMLFloatMacro(headClosingMm, HeadClosingMm);
-  vtkMRMLReadXMLFloatMacro(boneClosingMm, BoneClosingMm);
-  vtkMRMLReadXMLFloatMacro(skinThicknessMm, SkinThicknessMm);
-  vtkMRMLReadXMLStdStringMacro(materials, Materials);
-  vtkMRMLReadXMLFloatMacro(meshDensity, MeshDensity);
-  vtkMRMLReadXMLFloatMacro(releaseMarginMm, ReleaseMarginMm);
-  vtkMRMLReadXMLFloatMacro(contactToleranceMm, ContactToleranceMm);
-  vtkMRMLReadXMLIntMacro(threads, Threads);
-  vtkMRMLReadXMLIntMacro(maxNewtonIterations, MaxNewtonIterations);
-  vtkMRMLReadXMLFloatMacro(stepToleranceMm, StepToleranceMm);
-  vtkMRMLReadXMLIntMacro(maxFitIterations, MaxFitIterations);
-  vtkMRMLReadXMLStdStringMacro(predictModel, PredictModel);
-  vtkMRMLReadXMLBooleanMacro(suggestConfirm, SuggestConfirm);
-  vtkMRMLReadXMLFloatMacro(suggestDensity, SuggestDensity);
-  vtkMRMLReadXMLStdStringMacro(reportTextsFileName, ReportTextsFileName);
-  vtkMRMLReadXMLBooleanMacro(reportIdentity, ReportIdentity);
-  vtkMRMLReadXMLFloatMacro(forceStiffness, ForceStiffness);
-  vtkMRMLReadXMLBooleanMacro(forceStiffnessAutomatic, ForceStiffnessAutomatic);
-  vtkMRMLReadXMLFloatMacro(forceResidualMm, ForceResidualMm);
-  vtkMRMLReadXMLFloatMacro(forceRestLengthMm, ForceRestLengthMm);
-  vtkMRMLReadXMLStdStringMacro(forceLoad, ForceLoad);
-  vtkMRMLReadXMLStdStringMacro(otherSettings, OtherSettings);
-  vtkMRMLReadXMLStdStringMacro(provenance, Provenance);
-  vtkMRMLReadXMLIntMacro(statusCode, StatusCode);
-  vtkMRMLReadXMLStdStringMacro(statusText, StatusText);
-  vtkMRMLReadXMLEndMacro();
-}
-
-void vtkMRMLFaceToBonePlanNode::ReadResults(const char* name, const std::string& value)
+void vtkMRMLFaceToBonePlanNode::ReadResult(const char* name, const std::string& value)
 {
   using namespace vtkMRMLFaceToBoneText;
-  if (!strcmp(name, "skinThresholdHU"))
-    this->SkinThresholdHU.FromText(value);
-  else if (!strcmp(name, "boneThresholdHU"))
-    this->BoneThresholdHU.FromText(value);
-  else if (!strcmp(name, "region"))
-    this->Region.FromText(value);
-  else if (!strcmp(name, "forceLandmarks"))
-    this->ForceLandmarks = ToList(value);
-  else if (!strcmp(name, "statedMovements"))
-    this->StatedMovements = ToMovements(value);
-  else if (!strcmp(name, "figures"))
+  if (!strcmp(name, "figures"))
   {
     this->Figures.clear();
     for (const std::string& figure : ToList(value))
@@ -130,59 +84,22 @@ void vtkMRMLFaceToBonePlanNode::ReadResults(const char* name, const std::string&
 void vtkMRMLFaceToBonePlanNode::WriteXML(ostream& of, int indent)
 {
   Superclass::WriteXML(of, indent);
-  this->WriteOptions(of);
   this->WriteResults(of);
-}
-
-void vtkMRMLFaceToBonePlanNode::WriteOptions(ostream& of)
-{
-  vtkMRMLWriteXMLBeginMacro(of);
-  vtkMRMLWriteXMLEnumMacro(selectedMethod, SelectedMethod);
-  vtkMRMLWriteXMLStdStringMacro(caseName, CaseName);
-  vtkMRMLWriteXMLStdStringMacro(volumeFileName, VolumeFileName);
-  vtkMRMLWriteXMLStdStringMacro(landmarksFileName, LandmarksFileName);
-  vtkMRMLFaceToBoneWriteXMLExactMacro(spacingMm, SpacingMm);
-  vtkMRMLFaceToBoneWriteXMLExactMacro(headClosingMm, HeadClosingMm);
-  vtkMRMLFaceToBoneWriteXMLExactMacro(boneClosingMm, BoneClosingMm);
-  vtkMRMLFaceToBoneWriteXMLExactMacro(skinThicknessMm, SkinThicknessMm);
-  vtkMRMLWriteXMLStdStringMacro(materials, Materials);
-  vtkMRMLFaceToBoneWriteXMLExactMacro(meshDensity, MeshDensity);
-  vtkMRMLFaceToBoneWriteXMLExactMacro(releaseMarginMm, ReleaseMarginMm);
-  vtkMRMLFaceToBoneWriteXMLExactMacro(contactToleranceMm, ContactToleranceMm);
-  vtkMRMLWriteXMLIntMacro(threads, Threads);
-  vtkMRMLWriteXMLIntMacro(maxNewtonIterations, MaxNewtonIterations);
-  vtkMRMLFaceToBoneWriteXMLExactMacro(stepToleranceMm, StepToleranceMm);
-  vtkMRMLWriteXMLIntMacro(maxFitIterations, MaxFitIterations);
-  vtkMRMLWriteXMLStdStringMacro(predictModel, PredictModel);
-  vtkMRMLWriteXMLBooleanMacro(suggestConfirm, SuggestConfirm);
-  vtkMRMLFaceToBoneWriteXMLExactMacro(suggestDensity, SuggestDensity);
-  vtkMRMLWriteXMLStdStringMacro(reportTextsFileName, ReportTextsFileName);
-  vtkMRMLWriteXMLBooleanMacro(reportIdentity, ReportIdentity);
-  vtkMRMLFaceToBoneWriteXMLExactMacro(forceStiffness, ForceStiffness);
-  vtkMRMLWriteXMLBooleanMacro(forceStiffnessAutomatic, ForceStiffnessAutomatic);
-  vtkMRMLFaceToBoneWriteXMLExactMacro(forceResidualMm, ForceResidualMm);
-  vtkMRMLFaceToBoneWriteXMLExactMacro(forceRestLengthMm, ForceRestLengthMm);
-  vtkMRMLWriteXMLStdStringMacro(forceLoad, ForceLoad);
-  vtkMRMLWriteXMLStdStringMacro(otherSettings, OtherSettings);
-  vtkMRMLWriteXMLStdStringMacro(provenance, Provenance);
-  vtkMRMLWriteXMLIntMacro(statusCode, StatusCode);
-  vtkMRMLWriteXMLStdStringMacro(statusText, StatusText);
-  vtkMRMLWriteXMLEndMacro();
 }
 
 void vtkMRMLFaceToBonePlanNode::WriteResults(ostream& of)
 {
   using namespace vtkMRMLFaceToBoneText;
+  vtkMRMLWriteXMLBeginMacro(of);
+  vtkMRMLWriteXMLEnumMacro(selectedMethod, SelectedMethod);
+  vtkMRMLWriteXMLStdStringMacro(provenance, Provenance);
+  vtkMRMLWriteXMLIntMacro(statusCode, StatusCode);
+  vtkMRMLWriteXMLStdStringMacro(statusText, StatusText);
+  vtkMRMLWriteXMLEndMacro();
   std::vector<std::string> figures;
   for (const auto& figure : this->Figures)
     figures.push_back(figure.first + "=" + FromNumber(figure.second));
   std::vector<std::pair<std::string, std::string>> texts = {
-      {"caseFolder", this->GetCaseFolderInScene()},
-      {"skinThresholdHU", this->SkinThresholdHU.ToText()},
-      {"boneThresholdHU", this->BoneThresholdHU.ToText()},
-      {"region", this->Region.ToText()},
-      {"forceLandmarks", FromList(this->ForceLandmarks)},
-      {"statedMovements", FromMovements(this->StatedMovements)},
       {"figures", FromList(figures)},
       {"warnings", FromList(this->Warnings)},
       {"findings", FromList(this->Findings)},
@@ -200,31 +117,6 @@ void vtkMRMLFaceToBonePlanNode::WriteResults(ostream& of)
       of << " " << text.first << "=\"" << this->XMLAttributeEncodeString(text.second) << "\"";
 }
 
-/// Relative to the scene's own folder where it lies in it, so that both can be moved together.
-std::string vtkMRMLFaceToBonePlanNode::GetCaseFolderInScene()
-{
-  const char* root = this->Scene ? this->Scene->GetRootDirectory() : nullptr;
-  if (!root || !*root || !vtksys::SystemTools::FileIsFullPath(this->CaseFolder))
-    return this->CaseFolder;
-  const std::string home = vtksys::SystemTools::CollapseFullPath(root);
-  const std::string folder = vtksys::SystemTools::CollapseFullPath(this->CaseFolder);
-  if (folder == home)
-    return ".";
-  return vtksys::SystemTools::IsSubDirectory(folder, home) ? folder.substr(home.size() + 1)
-                                                           : this->CaseFolder;
-}
-
-/// The folder that a scene file names starts from that file's own, not from where the program does.
-void vtkMRMLFaceToBonePlanNode::UpdateScene(vtkMRMLScene* scene)
-{
-  Superclass::UpdateScene(scene);
-  const char* root = scene ? scene->GetRootDirectory() : nullptr;
-  if (root && *root && !this->CaseFolder.empty() &&
-      !vtksys::SystemTools::FileIsFullPath(this->CaseFolder))
-    this->SetCaseFolder(vtksys::SystemTools::CollapseFullPath(
-        this->CaseFolder, vtksys::SystemTools::CollapseFullPath(root)));
-}
-
 void vtkMRMLFaceToBonePlanNode::CopyContent(vtkMRMLNode* anode, bool deepCopy)
 {
   MRMLNodeModifyBlocker blocker(this);
@@ -237,46 +129,12 @@ void vtkMRMLFaceToBonePlanNode::CopyContent(vtkMRMLNode* anode, bool deepCopy)
   }
   // what is saved is what there is: equal texts are equal contents
   std::ostringstream mine, other;
-  this->WriteOptions(mine);
   this->WriteResults(mine);
   auto* source = vtkMRMLFaceToBonePlanNode::SafeDownCast(anode);
-  source->WriteOptions(other);
   source->WriteResults(other);
   if (mine.str() == other.str())
     return;
   this->SelectedMethod = node->SelectedMethod;
-  this->CaseFolder = node->CaseFolder;
-  this->CaseName = node->CaseName;
-  this->VolumeFileName = node->VolumeFileName;
-  this->LandmarksFileName = node->LandmarksFileName;
-  this->SkinThresholdHU = node->SkinThresholdHU;
-  this->BoneThresholdHU = node->BoneThresholdHU;
-  this->Region = node->Region;
-  this->SpacingMm = node->SpacingMm;
-  this->HeadClosingMm = node->HeadClosingMm;
-  this->BoneClosingMm = node->BoneClosingMm;
-  this->SkinThicknessMm = node->SkinThicknessMm;
-  this->Materials = node->Materials;
-  this->MeshDensity = node->MeshDensity;
-  this->ReleaseMarginMm = node->ReleaseMarginMm;
-  this->ContactToleranceMm = node->ContactToleranceMm;
-  this->Threads = node->Threads;
-  this->MaxNewtonIterations = node->MaxNewtonIterations;
-  this->StepToleranceMm = node->StepToleranceMm;
-  this->MaxFitIterations = node->MaxFitIterations;
-  this->PredictModel = node->PredictModel;
-  this->SuggestConfirm = node->SuggestConfirm;
-  this->SuggestDensity = node->SuggestDensity;
-  this->ReportTextsFileName = node->ReportTextsFileName;
-  this->ReportIdentity = node->ReportIdentity;
-  this->ForceStiffness = node->ForceStiffness;
-  this->ForceStiffnessAutomatic = node->ForceStiffnessAutomatic;
-  this->ForceResidualMm = node->ForceResidualMm;
-  this->ForceRestLengthMm = node->ForceRestLengthMm;
-  this->ForceLoad = node->ForceLoad;
-  this->ForceLandmarks = node->ForceLandmarks;
-  this->StatedMovements = node->StatedMovements;
-  this->OtherSettings = node->OtherSettings;
   std::copy(std::begin(node->Movements), std::end(node->Movements), std::begin(this->Movements));
   this->Figures = node->Figures;
   this->Warnings = node->Warnings;
@@ -293,7 +151,6 @@ void vtkMRMLFaceToBonePlanNode::PrintSelf(ostream& os, vtkIndent indent)
 {
   Superclass::PrintSelf(os, indent);
   os << indent;
-  this->WriteOptions(os);
   this->WriteResults(os);
   os << "\n" << indent << "RunningStep: " << this->RunningStep << "\n";
   os << indent << "Progress: " << this->Progress << " " << this->ProgressText << "\n";

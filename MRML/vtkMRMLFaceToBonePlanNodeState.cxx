@@ -171,58 +171,7 @@ vtkMRMLModelNode* vtkMRMLFaceToBonePlanNode::GetPredictionNode(int method)
   return vtkMRMLModelNode::SafeDownCast(this->GetNodeReference(GetPredictionRole(method).c_str()));
 }
 
-// --- Options
-
-void vtkMRMLFaceToBonePlanNode::SetSkinThresholdHU(double hu)
-{
-  if (this->SkinThresholdHU.Set(&hu))
-    this->Modified();
-}
-
-bool vtkMRMLFaceToBonePlanNode::GetSkinThresholdHU(double hu[1])
-{
-  return this->SkinThresholdHU.Get(hu);
-}
-
-void vtkMRMLFaceToBonePlanNode::RemoveSkinThresholdHU()
-{
-  if (this->SkinThresholdHU.Remove())
-    this->Modified();
-}
-
-void vtkMRMLFaceToBonePlanNode::SetBoneThresholdHU(double hu)
-{
-  if (this->BoneThresholdHU.Set(&hu))
-    this->Modified();
-}
-
-bool vtkMRMLFaceToBonePlanNode::GetBoneThresholdHU(double hu[1])
-{
-  return this->BoneThresholdHU.Get(hu);
-}
-
-void vtkMRMLFaceToBonePlanNode::RemoveBoneThresholdHU()
-{
-  if (this->BoneThresholdHU.Remove())
-    this->Modified();
-}
-
-void vtkMRMLFaceToBonePlanNode::SetRegion(const double region_ras[6])
-{
-  if (this->Region.Set(region_ras))
-    this->Modified();
-}
-
-bool vtkMRMLFaceToBonePlanNode::GetRegion(double region_ras[6])
-{
-  return this->Region.Get(region_ras);
-}
-
-void vtkMRMLFaceToBonePlanNode::RemoveRegion()
-{
-  if (this->Region.Remove())
-    this->Modified();
-}
+// --- Results
 
 #define vtkMRMLFaceToBoneSetListMacro(name)                                                        \
   void vtkMRMLFaceToBonePlanNode::Set##name(const std::vector<std::string>& members)               \
@@ -232,50 +181,10 @@ void vtkMRMLFaceToBonePlanNode::RemoveRegion()
     this->name = members;                                                                          \
     this->Modified();                                                                              \
   }
-vtkMRMLFaceToBoneSetListMacro(ForceLandmarks);
 vtkMRMLFaceToBoneSetListMacro(Warnings);
 vtkMRMLFaceToBoneSetListMacro(Findings);
 vtkMRMLFaceToBoneSetListMacro(Suggestions);
 #undef vtkMRMLFaceToBoneSetListMacro
-
-void vtkMRMLFaceToBonePlanNode::SetStatedMovement(const std::string& fragment,
-                                                  const double movement[6])
-{
-  std::array<double, 6> values;
-  std::copy(movement, movement + 6, values.begin());
-  const auto known = this->StatedMovements.find(fragment);
-  if (known != this->StatedMovements.end() && known->second == values)
-    return;
-  this->StatedMovements[fragment] = values;
-  this->Modified();
-}
-
-bool vtkMRMLFaceToBonePlanNode::GetStatedMovement(const std::string& fragment, double movement[6])
-{
-  const auto known = this->StatedMovements.find(fragment);
-  if (known == this->StatedMovements.end())
-    return false;
-  std::copy(known->second.begin(), known->second.end(), movement);
-  return true;
-}
-
-std::vector<std::string> vtkMRMLFaceToBonePlanNode::GetStatedMovementFragments()
-{
-  std::vector<std::string> fragments;
-  for (const auto& movement : this->StatedMovements)
-    fragments.push_back(movement.first);
-  return fragments;
-}
-
-void vtkMRMLFaceToBonePlanNode::RemoveStatedMovements()
-{
-  if (this->StatedMovements.empty())
-    return;
-  this->StatedMovements.clear();
-  this->Modified();
-}
-
-// --- Results
 
 vtkMRMLFaceToBonePlannedMovement*
 vtkMRMLFaceToBonePlanNode::FindMovement(int method, const std::string& fragment)
