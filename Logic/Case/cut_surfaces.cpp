@@ -6,7 +6,9 @@
 #include "Meshing/surface_shells.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
+#include <numeric>
 #include <optional>
 
 namespace f2b
@@ -30,8 +32,9 @@ std::vector<TriangleMesh> blades_of(const std::vector<Osteotomy>& osteotomies)
 /// How much of a shell's area lies on each part of the bone, and where.
 struct Shares
 {
-  std::vector<double> area;
-  std::vector<Vec3> place; ///< a triangle of it
+  std::vector<double> area;      ///< where the lattice tells the parts apart
+  std::vector<double> near_cuts; ///< where it does not
+  std::vector<Vec3> place;       ///< a triangle of `area`
 };
 
 /// The part just below a triangle.
@@ -41,11 +44,25 @@ unsigned char part_below(const Vec3& middle, const Vec3& inwards, const LabelGri
   return label != BonePartition::no_bone ? label : nearest_bone(labels, middle);
 }
 
+/// Within a lattice step of a saw's wall, the lattice does not tell on which side of it a point lies.
+bool is_near_cut(const Vec3& p, double step_mm, const std::vector<SawFacet>& facets)
+{
+  return std::any_of(facets.begin(), facets.end(),
+                     [&](const SawFacet& facet)
+                     {
+                       const double reach = step_mm + 0.5 * facet.kerf_mm;
+                       return std::abs(facet.plane.signed_distance(p)) < reach &&
+                              facet.plane.faces(p, reach);
+                     });
+}
+
 std::vector<Shares> shares_of(const SawnBone& sawn, const BonePartition& partition)
 {
   const std::size_t parts = 1 + partition.osteotomies.size();
-  std::vector<Shares> shares(sawn.shell_volume.size(),
-                             {std::vector<double>(parts, 0), std::vector<Vec3>(parts)});
+  std::vector<Shares> shares(
+      sawn.shell_volume.size(),
+      {std::vector<double>(parts, 0), std::vector<double>(parts, 0), std::vector<Vec3>(parts)});
+  const std::vector<SawFacet> facets = saw_facets(partition.osteotomies);
   for (std::size_t t = 0; t < sawn.shell.size(); ++t)
   {
     const Triangle& corners = sawn.surface.triangles[t];
@@ -60,6 +77,11 @@ std::vector<Shares> shares_of(const SawnBone& sawn, const BonePartition& partiti
     const auto part = static_cast<std::size_t>(
         part_below(middle, -outwards / doubled, partition.labels) - BonePartition::uncut);
     Shares& s = shares[static_cast<std::size_t>(sawn.shell[t])];
+    if (is_near_cut(middle, 1.5 * partition.labels.spacing, facets))
+    {
+      s.near_cuts[part] += 0.5 * doubled;
+      continue;
+    }
     s.area[part] += 0.5 * doubled;
     s.place[part] = middle;
   }
@@ -74,14 +96,15 @@ std::string part_name(std::size_t part, const BonePartition& partition)
 
 std::size_t owner(const Shares& shares)
 {
-  return static_cast<std::size_t>(std::max_element(shares.area.begin(), shares.area.end()) -
-                                  shares.area.begin());
+  const double told = std::accumulate(shares.area.begin(), shares.area.end(), 0.0);
+  const std::vector<double>& area = told > 0 ? shares.area : shares.near_cuts;
+  return static_cast<std::size_t>(std::max_element(area.begin(), area.end()) - area.begin());
 }
 
 /// Of a shell that two parts share.
 std::optional<BoneBridge> bridge_in(const Shares& shares)
 {
-  // walls of cavities and crumbs near a cut may be ascribed to the wrong side of it
+  // walls of cavities may be ascribed to the wrong side of a cut
   constexpr double tolerated_mm2 = 60, tolerated_share = 0.05;
   const std::size_t most = owner(shares);
   for (std::size_t part = 0; part < shares.area.size(); ++part)
