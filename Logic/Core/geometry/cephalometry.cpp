@@ -1,7 +1,9 @@
 #include "Core/geometry/cephalometry.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
 
 namespace f2b
 {
@@ -95,9 +97,9 @@ struct Measure
   const char* definition;
 };
 
-double jaw_difference(const Points& p) // S N A B
+double jaw_difference(const Points& p) // N A B
 {
-  return angle(p[0], p[1], p[2]) - angle(p[0], p[1], p[3]);
+  return turn(p[2] - p[0], p[1] - p[0]);
 }
 
 /// Of a line that falls forwards against one that runs forwards: positive where it is steeper.
@@ -142,7 +144,7 @@ const std::vector<Measure>& measures()
   static const std::vector<Measure> all = {
       {"SNA", "deg", {"S", "N", "A"}, corner, "angle S-N-A"},
       {"SNB", "deg", {"S", "N", "B"}, corner, "angle S-N-B"},
-      {"ANB", "deg", {"S", "N", "A", "B"}, jaw_difference, "SNA less SNB"},
+      {"ANB", "deg", {"N", "A", "B"}, jaw_difference, "angle A-N-B; positive: A in front of N-B"},
       {"SNPg", "deg", {"S", "N", "Pg"}, corner, "angle S-N-Pg"},
       {"Wits", "mm", {"A", "B", "U6", "U1"}, wits, "A in front of B along U6-U1"},
       {"facial angle",
@@ -210,6 +212,25 @@ std::optional<Points> points_of(const LateralView& view, const Measure& measure)
   return points;
 }
 
+/// Without these there is no mid-sagittal plane.
+constexpr const char* plane_landmarks[] = {"N", "Or_R", "Or_L"};
+
+/// The given landmarks that a measure's point lacks: a pair's halves, or the point itself.
+std::vector<std::string> lacking(const std::string& name, const Landmarks& landmarks)
+{
+  if (landmarks.count(name) > 0)
+    return {};
+  const std::string right = name + "_R", left = name + "_L";
+  const auto& known = landmark_definitions();
+  const bool is_pair = std::any_of(known.begin(), known.end(),
+                                   [&](const LandmarkDefinition& d) { return right == d.name; });
+  std::vector<std::string> missing;
+  for (const std::string& one : is_pair ? std::vector{right, left} : std::vector{name})
+    if (landmarks.count(one) == 0)
+      missing.push_back(one);
+  return missing;
+}
+
 } // namespace
 
 std::vector<CephalometricMeasure> cephalometry(const Landmarks& landmarks,
@@ -225,10 +246,36 @@ std::vector<CephalometricMeasure> cephalometry(const Landmarks& landmarks,
 
 std::vector<CephalometricMeasure> cephalometry(const Landmarks& landmarks)
 {
-  for (const char* name : {"N", "Or_R", "Or_L"})
+  for (const char* name : plane_landmarks)
     if (landmarks.count(name) == 0)
       return {};
   return cephalometry(landmarks, mid_sagittal_plane(landmarks));
+}
+
+LeftOutMeasures left_out_measures(const Landmarks& landmarks)
+{
+  LeftOutMeasures left_out;
+  std::set<std::string> missing;
+  for (const char* name : plane_landmarks)
+    if (landmarks.count(name) == 0)
+      missing.insert(name);
+  const bool has_plane = missing.empty();
+  for (const Measure& measure : measures())
+  {
+    bool lacks = !has_plane;
+    for (const char* name : measure.landmarks)
+      for (const std::string& one : lacking(name, landmarks))
+      {
+        missing.insert(one);
+        lacks = true;
+      }
+    if (lacks)
+      left_out.measures.emplace_back(measure.name);
+  }
+  for (const LandmarkDefinition& d : landmark_definitions())
+    if (missing.count(d.name) > 0)
+      left_out.landmarks.emplace_back(d.name);
+  return left_out;
 }
 
 const std::vector<LandmarkDefinition>& landmark_definitions()

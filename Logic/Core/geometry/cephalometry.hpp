@@ -39,4 +39,12 @@ std::vector<CephalometricMeasure> cephalometry(const Landmarks& landmarks,
 /// With the landmarks' own mid-sagittal plane; empty where N, Or_R or Or_L is missing.
 std::vector<CephalometricMeasure> cephalometry(const Landmarks& landmarks);
 
+/// Measures that these landmarks do not allow, and the landmarks that they would need.
+struct LeftOutMeasures
+{
+  std::vector<std::string> landmarks; ///< in the order of landmark_definitions()
+  std::vector<std::string> measures;  ///< in the order of cephalometry()
+};
+LeftOutMeasures left_out_measures(const Landmarks& landmarks);
+
 } // namespace f2b

@@ -108,6 +108,7 @@ Sculpture skull_openings(const MidfaceShift& m)
   s.cut(Sheet{m(0, 100, -20), m(0, 28, -20), m(7, 28, -38.5), m(7, 100, -38.5), 4.6}, 1.5);
   s.cut(Capsule{{85, -14, -20}, 3.6, {40, -12, -19}, 3}, 1.5);
   s.cut(Capsule{{0, -40, -80}, 14, {0, -36, -18}, 13}, 3);
+  s.cut(Ellipsoid{{0, 14, -2}, {7, 5.8, 7}}, 2);    // pituitary fossa
   s.cut(Ellipsoid{m(28, 73, -30), {2.2, 5, 2}}, 1); // infraorbital foramen
   return s;
 }

@@ -45,6 +45,7 @@ void add_cranium(std::vector<NamedPoint>& out, const Surface& bone, const Midfac
 {
   const Vec3 front = Vec3::UnitY(), below = -Vec3::UnitZ(), right = Vec3::UnitX();
   out.push_back({"N", seen(bone, {0, 75, 5}, front)});
+  out.push_back({"S", {0, 14, -4}}); // the middle of virtual_cranium's pituitary fossa
   add_pair(out, "Or", seen(bone, m(33, 66, -23), {0, 1, 0.6}));
   add_pair(out, "Po", seen(bone, {56, -14, -15.5}, right));
   add_pair(out, "Zy", seen(bone, m(60, 24, -26), right));
@@ -74,6 +75,7 @@ void add_soft_tissue(std::vector<NamedPoint>& out, const Surface& skin, const Mi
   out.push_back({"N'", seen(skin, {0, 80, 5}, front)});
   out.push_back({"prn", seen(skin, m(0, 100, -33), front)});
   out.push_back({"sn", seen(skin, m(0, 85, -47.5), {0, 1, -0.3}, 40)});
+  out.push_back({"cm", seen(skin, m(0, 103, -43), below, 18)});
   out.push_back({"ls", seen(skin, m(0, 88, -64), front)});
   out.push_back({"li", seen(skin, {0, 88, -76.5}, front)});
   out.push_back({"Pg'", seen(skin, {0, 80, -105}, front)});

@@ -78,6 +78,36 @@ TEST(Cephalometry, AMovedMaxillaChangesSnaAlone)
   EXPECT_LT(values(moved).at("convexity"), 0);
 }
 
+TEST(Cephalometry, AnbNeedsNoSella)
+{
+  Landmarks l = drawn_head();
+  l.erase("S");
+  auto v = values(l);
+  EXPECT_NEAR(v.at("ANB"), 2, 1e-9);
+  EXPECT_EQ(v.count("SNA"), 0U);
+  l["A"] -= Vec3(0, 20, 0);
+  EXPECT_LT(values(l).at("ANB"), -5);
+}
+
+TEST(Cephalometry, TellsWhichLandmarksAreMissingForWhat)
+{
+  using Names = std::vector<std::string>;
+  Landmarks every;
+  for (const LandmarkDefinition& d : landmark_definitions())
+    every[d.name] = Vec3::Zero();
+  EXPECT_TRUE(left_out_measures(every).landmarks.empty());
+  EXPECT_TRUE(left_out_measures(every).measures.empty());
+  every.erase("S");
+  every.erase("Co_L");
+  const LeftOutMeasures some = left_out_measures(every);
+  EXPECT_EQ(some.landmarks, (Names{"S", "Co_L"}));
+  EXPECT_EQ(some.measures, (Names{"SNA", "SNB", "SNPg", "SN-MP", "gonial angle", "Co-A", "Co-Gn"}));
+  every.erase("Or_R");
+  const LeftOutMeasures all = left_out_measures(every);
+  EXPECT_EQ(all.landmarks, (Names{"S", "Or_R", "Co_L"}));
+  EXPECT_EQ(all.measures.size(), 20U) << "no mid-sagittal plane";
+}
+
 TEST(Cephalometry, DoesNotDependOnWhereTheHeadLies)
 {
   Landmarks l = drawn_head();
