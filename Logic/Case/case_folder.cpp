@@ -6,9 +6,11 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <fstream>
 #include <map>
 #include <set>
+#include <thread>
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -171,8 +173,15 @@ int lock_folder(const Path& folder)
     throw Error(folder.string(), "the folder is read-only",
                 "choose a folder that you may write to");
   }
-  // file systems without locks do without
-  if (::flock(handle, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+  // file systems without locks do without; a process that tidies up after a killed one is soon done
+  bool is_taken = true;
+  for (int tries = 0; is_taken && tries < 20; ++tries)
+  {
+    if (tries > 0)
+      std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    is_taken = ::flock(handle, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  }
+  if (is_taken)
   {
     ::close(handle);
     throw Error(folder.string(), "another FaceToBone is working on this case",
@@ -217,6 +226,19 @@ CaseFolder::CaseFolder(const Path& folder) : m_made(folder)
     throw Error((m_folder / staging_name).string(),
                 "what a stopped run left there cannot be tidied up",
                 "check permissions and free space, or remove it");
+  }
+}
+
+void tidy_case_folder(const Path& folder) noexcept
+{
+  try
+  {
+    if (fs::exists(folder / staging_name))
+      CaseFolder tidied(folder);
+  }
+  catch (...)
+  {
+    // the next process that opens the folder does it, or says why it cannot
   }
 }
 

@@ -27,6 +27,10 @@ struct CaseOutlook
 /// the staging folder. May be called from any thread.
 using CommitHook = std::function<void(const CaseOutlook&)>;
 
+/// Finishes or drops what a killed process left in a case folder, if it left something there and no
+/// other process has begun to.
+void tidy_case_folder(const Path& folder) noexcept;
+
 /// A folder of standard files that holds one case. Names of its files:
 ///
 /// - segment: case.json segment.json ct.nrrd labels.nrrd {skin,bone,closed_bone}_distance.nrrd

@@ -9,6 +9,7 @@
 #include "CommandLine/screenshot_arguments.hpp"
 #include "CommandLine/stated_movement.hpp"
 #include "CommandLine/suggestion_table.hpp"
+#include "CommandLine/tidy_after_kill.hpp"
 #include "Core/error.hpp"
 #include "Scene/movement_text.hpp"
 
@@ -555,5 +556,6 @@ int main(int argc, char** argv)
     return report_failure(usage_text(app, error.what(), argc > 1 ? argv[1] : ""), bad_input);
   }
   CLI::App* verb = app.get_subcommands().front();
+  const TidyAfterKill tidy(arguments.folder);
   return perform(verb->get_name(), actions.at(verb), arguments);
 }

@@ -93,7 +93,8 @@ void NodeEdits::collect_cuts(const Path& folder, const CaseNodes& nodes)
   for (int n = 0; n < osteotomy->GetNumberOfFragments(); ++n)
   {
     const std::string name = osteotomy->GetNthFragmentName(n);
-    const ShownCuts cuts = shown_cuts(osteotomy, n, temporary_file("shown.mrk.json"));
+    const ShownCuts cuts =
+        shown_cuts(osteotomy, n, [this] { return temporary_file("shown.mrk.json"); });
     const auto before = std::find_if(placed.begin(), placed.end(),
                                      [&](const Osteotomy& o) { return o.fragment == name; });
     const Osteotomy* known = before != placed.end() ? &*before : nullptr;

@@ -21,12 +21,13 @@ using OsteotomyNode = vtkMRMLFaceToBoneOsteotomyNode;
 using nlohmann::json;
 
 /// The file that says what a node does.
-Path file_of(vtkMRMLStorableNode* node, const Path& scratch)
+Path file_of(vtkMRMLStorableNode* node, const std::function<Path()>& scratch)
 {
   if (!holds_data(node))
     return node->GetStorageNode()->GetFileName();
-  write_node(node, scratch);
-  return scratch;
+  const Path file = scratch();
+  write_node(node, file);
+  return file;
 }
 
 bool same_plane(const BoundedPlane& a, const BoundedPlane& b)
@@ -78,7 +79,7 @@ void write_node(vtkMRMLStorableNode* node, const Path& file)
                 "check the free space of " + file.parent_path().string());
 }
 
-ShownCuts shown_cuts(OsteotomyNode* osteotomy, int n, const Path& scratch)
+ShownCuts shown_cuts(OsteotomyNode* osteotomy, int n, const std::function<Path()>& scratch)
 {
   ShownCuts cuts;
   for (int p = 0; p < osteotomy->GetNthFragmentNumberOfPlanes(n); ++p)

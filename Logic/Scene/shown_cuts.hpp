@@ -4,6 +4,7 @@
 #include "Case/case_folder.hpp"
 #include "Core/geometry/osteotomy.hpp"
 
+#include <functional>
 #include <nlohmann/json_fwd.hpp>
 
 class vtkMRMLFaceToBoneOsteotomyNode;
@@ -28,8 +29,9 @@ struct ShownCuts
   bool empty() const { return planes.empty() && curves.empty(); }
 };
 
-/// \param scratch  a file for the nodes' storage to write to
-ShownCuts shown_cuts(vtkMRMLFaceToBoneOsteotomyNode* osteotomy, int n, const Path& scratch);
+/// \param scratch  names a file for the nodes' storage to write to, where one is needed
+ShownCuts shown_cuts(vtkMRMLFaceToBoneOsteotomyNode* osteotomy, int n,
+                     const std::function<Path()>& scratch);
 
 /// Whether the bone was cut so.
 bool same_cuts(const ShownCuts& cuts, const Osteotomy& placed);
