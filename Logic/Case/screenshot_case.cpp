@@ -7,6 +7,7 @@
 #include "Rendering/plan_pictures.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 namespace f2b
@@ -47,7 +48,11 @@ std::vector<PictureDefinition> frames_of(const PictureDefinition& picture,
     frame.name = name;
     if (options.turntable > 0)
       for (View& view : frame.views)
+      {
         view.azimuth_deg += 360.0 * i / count;
+        if (i > 0) // no longer the view of that name
+          view.name += " + " + std::to_string(std::lround(360.0 * i / count)) + "\u00b0";
+      }
     else
       frame.options.fraction = count > 1 ? double(i) / (count - 1) : 1;
     frames.push_back(frame);

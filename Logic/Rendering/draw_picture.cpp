@@ -21,11 +21,12 @@ struct PanelPlan
   bool has_title = true;
 };
 
-// A view that a user made up has no text of its own.
+// A view that a user made up has no text of its own; "frontal + 60°" is turned from a named one.
 std::string view_title(const View& view, const Texts& texts)
 {
-  const std::string key = "view." + view.name;
-  return texts.has(key) ? texts(key) : view.name;
+  const std::size_t turned = std::min(view.name.find(" + "), view.name.size());
+  const std::string key = "view." + view.name.substr(0, turned);
+  return texts.has(key) ? texts(key) + view.name.substr(turned) : view.name;
 }
 
 std::vector<PanelPlan> plan_panels(const std::vector<SubjectDrawing>& drawings,

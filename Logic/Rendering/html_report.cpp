@@ -60,10 +60,13 @@ std::string table_row(const ReportTable& table, const std::vector<ReportValue>& 
 
 std::string table_html(const ReportTable& table)
 {
+  constexpr std::size_t many_columns = 9;
   const bool has_head = !table.columns.empty() && !table.columns[0].title.empty();
-  std::string html = "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"" +
-                     html_escaped(table.caption) + "\"><table class=\"" +
-                     (has_head ? "" : "facts ") + (table.is_long ? "long" : "short") + "\">";
+  std::string html =
+      "<div class=\"" + std::string(table.is_long ? "long" : "short") + "\">" +
+      "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"" +
+      html_escaped(table.caption) + "\"><table class=\"" + (has_head ? "" : "facts ") +
+      (table.columns.size() > many_columns ? "wide " : "") + (table.is_code ? "code " : "") + "\">";
   html += "<caption>" + html_escaped(table.caption) + "</caption>";
   html += (has_head ? table_head(table) : "") + "<tbody>\n";
   for (const auto& row : table.rows)
@@ -72,7 +75,8 @@ std::string table_html(const ReportTable& table)
   }
   html += "</tbody></table></div>\n";
   return html +
-         (table.note.empty() ? "" : "<p class=\"note\">" + html_escaped(table.note) + "</p>\n");
+         (table.note.empty() ? "" : "<p class=\"note\">" + html_escaped(table.note) + "</p>\n") +
+         "</div>\n";
 }
 
 std::string picture_html(const ReportPicture& picture)

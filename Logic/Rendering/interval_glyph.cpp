@@ -44,14 +44,16 @@ void add_bar(const Panel& panel, const PanelPosition& from, const PanelPosition&
   }
 }
 
-// Beyond the bar's end, on the side that the bar points to.
+// Beyond the bar's end, on the side that the bar points to. A level bar's number goes below it, so
+// that it never meets an upright one's.
 void add_number(const Panel& panel, const PanelPosition& from, const PanelPosition& at,
                 const std::string& text)
 {
   const double unit = annotation_unit(panel);
   const double size = 20 * unit, width = 0.62 * size * static_cast<double>(text.size());
   const double wanted = at.x < from.x - 1 ? at.x - 14 * unit - width : at.x + 14 * unit;
-  const double y = at.y < from.y - 1 ? at.y - 8 * unit - 1.35 * size : at.y + 6 * unit;
+  const bool is_level = std::abs(at.y - from.y) < 0.5 * std::abs(at.x - from.x);
+  const double y = is_level || at.y < from.y - 1 ? at.y - 8 * unit - 1.35 * size : at.y + 6 * unit;
   const double x = std::clamp(wanted, 0.0, panel.size.width - width);
   add_rectangle(panel, x, y, width, 1.35 * size, {1, 1, 1}, 0.82);
   add_text(panel, x + 0.5 * width, y + 0.12 * size, text,

@@ -11,8 +11,9 @@ namespace f2b
 namespace
 {
 
-// 210 dots per inch on an A4 page, and quick enough in software.
-constexpr PixelSize report_size{1500, 630};
+// 210 dots per inch and two pictures on an A4 page, letters of 6 points there, and quick enough in
+// software.
+constexpr PixelSize report_size{1500, 800};
 
 std::vector<View> views(const std::vector<const char*>& names)
 {

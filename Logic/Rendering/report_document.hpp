@@ -51,6 +51,7 @@ struct ReportTable
   std::vector<std::vector<ReportValue>> rows; ///< the first value of each heads it
   std::string note;
   bool is_long = false; ///< may break across pages, between rows
+  bool is_code = false; ///< its texts are checksums: letters of one width
 };
 
 struct ReportPicture

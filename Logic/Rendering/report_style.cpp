@@ -13,7 +13,8 @@ h1 { font-size: 1.9rem; line-height: 1.2; margin: 0; }
 .case { font-size: 1.15rem; color: #4d5660; margin: .2rem 0 0; }
 h2 { font-size: 1.3rem; margin: 2.4rem 0 .6rem; color: #0b4f7d; break-after: avoid; }
 p { margin: .4rem 0; max-width: 46rem; }
-.note { color: #4d5660; font-size: .9rem; }
+h2 + p { break-after: avoid; }
+.note { color: #4d5660; font-size: .9rem; break-inside: avoid; break-before: avoid; }
 .device { border: 2px solid #9a3412; background: #fff7ed; padding: .6rem .9rem; margin: 1rem 0;
   max-width: none; }
 .box { border-left: 4px solid #0b4f7d; background: #f3f5f7; padding: .6rem 1rem; }
@@ -25,6 +26,7 @@ p { margin: .4rem 0; max-width: 46rem; }
 table { border-collapse: collapse; margin: .6rem 0 1rem; width: 100%;
   font-variant-numeric: tabular-nums; }
 .short { break-inside: avoid; }
+.code td { font: .85rem/1.5 "DejaVu Sans Mono", "Liberation Mono", Menlo, Consolas, monospace; }
 tr { break-inside: avoid; }
 thead { display: table-header-group; }
 caption { caption-side: top; text-align: left; color: #1c2127; font-weight: 600;
@@ -35,7 +37,7 @@ thead th { border-bottom: 2px solid #1c2127; background: #f3f5f7; font-size: .92
   vertical-align: bottom; }
 tbody th { font-weight: 600; white-space: nowrap; }
 .facts tbody th { width: 34%; font-weight: 400; color: #4d5660; white-space: normal; }
-.facts td { overflow-wrap: anywhere; }
+.facts td, .code td { overflow-wrap: anywhere; }
 td.number, th.number { text-align: right; }
 figure { margin: 1.2rem 0 1.8rem; break-inside: avoid; }
 figure img { display: block; width: 100%; height: auto; border: 1px solid #cfd5db; }
@@ -70,6 +72,9 @@ footer { margin-top: 3rem; border-top: 1px solid #cfd5db; padding-top: .6rem;
   .scroll { overflow: visible; }
   .screen { display: none; }
   th, td { padding: .22rem .4rem; }
+  .wide th, .wide td { padding: .22rem .25rem; font-size: .88rem; }
+  .code td { font-size: .84rem; }
+  .code tbody th { width: 20%; }
   * { -webkit-print-color-adjust: exact; print-color-adjust: exact; }
 }
 )css";

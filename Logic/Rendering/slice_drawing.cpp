@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <numeric>
 
 namespace f2b
 {
@@ -45,7 +46,20 @@ ViewAxes slice_axes(int axis)
                      : ViewAxes{{-1, 0, 0}, {0, 1, 0}, {0, 0, -1}};
 }
 
-// Through the middle of the fragments' planned reference points, or of the CT without fragments.
+int fragments_at(const PlanScene& scene, int axis, double position)
+{
+  const auto& fragments = scene.pictures().fragments;
+  return static_cast<int>(std::count_if(
+      fragments.begin(), fragments.end(),
+      [&](const FragmentPicture& fragment)
+      {
+        const double* b = (fragment.planned ? fragment.planned : fragment.rest)->GetBounds();
+        return b[2 * axis] < position && position < b[2 * axis + 1];
+      }));
+}
+
+// Through the middle of the fragments' planned reference points; where a fragment's own point is in
+// more of them, as with a maxilla far above a chin, through that. Of the CT without fragments.
 double default_position(const PlanScene& scene, int axis)
 {
   const auto& fragments = scene.pictures().fragments;
@@ -54,12 +68,20 @@ double default_position(const PlanScene& scene, int axis)
     const double* bounds = scene.pictures().ct->GetBounds();
     return 0.5 * (bounds[2 * axis] + bounds[2 * axis + 1]);
   }
-  double sum = 0;
+  std::vector<double> own;
   for (const FragmentPicture& fragment : fragments)
   {
-    sum += moved_reference_point(fragment)[static_cast<std::size_t>(axis)];
+    own.push_back(moved_reference_point(fragment)[static_cast<std::size_t>(axis)]);
   }
-  return sum / static_cast<double>(fragments.size());
+  double best = std::accumulate(own.begin(), own.end(), 0.0) / static_cast<double>(own.size());
+  for (const double position : own)
+  {
+    if (fragments_at(scene, axis, position) > fragments_at(scene, axis, best))
+    {
+      best = position;
+    }
+  }
+  return best;
 }
 
 Slice slice_of(const PlanScene& scene, Subject subject, const SubjectOptions& options)
