@@ -1,9 +1,5 @@
 #include "Case/cephalometry_case.hpp"
 
-#include "Bridge/markups.hpp"
-#include "Bridge/vtk_surface.hpp"
-#include "Case/fragment_json.hpp"
-#include "Case/plan_findings.hpp"
 #include "Core/geometry/cephalometry.hpp"
 
 #include <set>
@@ -39,15 +35,12 @@ std::size_t nearest_vertex(const std::vector<Vec3>& points, const Vec3& to)
 
 /// Landmarks of the skin where a state of the face takes them.
 Landmarks on_face(const Landmarks& rest, const std::vector<Vec3>& skin,
-                  const std::vector<Vec3>& face)
+                  const std::vector<Vec3>& displacement)
 {
   Landmarks moved;
   for (const auto& [name, position] : rest)
     if (is_soft(name))
-    {
-      const std::size_t v = nearest_vertex(skin, position);
-      moved[name] = position + face[v] - skin[v];
-    }
+      moved[name] = position + displacement[nearest_vertex(skin, position)];
   return moved;
 }
 
@@ -61,38 +54,31 @@ std::map<std::string, double> by_name(const std::vector<CephalometricMeasure>& m
 
 } // namespace
 
-json cephalometry_of(const CaseFolder& folder, const json& plan)
+json cephalometry_json(const Landmarks& rest, const Landmarks& moved, const FaceStates& face)
 {
   json list = json::array();
-  const Landmarks rest = folder.has("landmarks.mrk.json")
-                             ? read_landmarks(folder.file("landmarks.mrk.json"))
-                             : Landmarks();
-  if (cephalometry(rest).empty())
-    return list;
-  std::vector<RigidMotion> motions;
-  for (const json& f : plan.at("methods").at("rigid-fit").at("fragments"))
-    motions.push_back(motion_from(f));
-  auto points = [&](const char* file, const char* step)
-  { return points_of(read_surface(folder.require(file, step))); };
-  const std::vector<Vec3> skin = points("skin.vtp", "segment");
-  const MidSagittalPlane plane = mid_sagittal_plane(rest);
-  Landmarks predicted = MovedBones(folder).moved_landmarks(motions);
-  for (const auto& [name, position] :
-       on_face(rest, skin, points("predicted_rigid-fit.vtp", "plan")))
-    predicted[name] = position;
-  const auto after = by_name(cephalometry(predicted, plane));
-  const auto wished =
-      by_name(cephalometry(on_face(rest, skin, points("target.vtp", "target")), plane));
-  for (const CephalometricMeasure& m : cephalometry(rest, plane))
+  const LeftOutMeasures left_out = left_out_measures(rest);
+  if (!cephalometry(rest).empty())
   {
-    list.push_back(
-        {{"name", m.name}, {"unit", m.unit}, {"definition", m.definition}, {"before", m.value}});
-    if (const auto found = wished.find(m.name); found != wished.end())
-      list.back()["target"] = found->second;
-    if (const auto found = after.find(m.name); found != after.end())
-      list.back()["predicted"] = found->second;
+    const MidSagittalPlane plane = mid_sagittal_plane(rest);
+    Landmarks predicted = moved;
+    for (const auto& [name, position] : on_face(rest, face.skin, face.to_predicted))
+      predicted[name] = position;
+    const auto after = by_name(cephalometry(predicted, plane));
+    const auto wished = by_name(cephalometry(on_face(rest, face.skin, face.to_target), plane));
+    for (const CephalometricMeasure& m : cephalometry(rest, plane))
+    {
+      list.push_back(
+          {{"name", m.name}, {"unit", m.unit}, {"definition", m.definition}, {"before", m.value}});
+      if (const auto found = wished.find(m.name); found != wished.end())
+        list.back()["target"] = found->second;
+      if (const auto found = after.find(m.name); found != after.end())
+        list.back()["predicted"] = found->second;
+    }
   }
-  return list;
+  return {{"measures", list},
+          {"missing_landmarks", left_out.landmarks},
+          {"left_out", left_out.measures}};
 }
 
 } // namespace f2b

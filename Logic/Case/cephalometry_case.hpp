@@ -1,6 +1,6 @@
 #pragma once
 
-#include "Case/case_folder.hpp"
+#include "Core/geometry/bite.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -8,10 +8,20 @@
 namespace f2b
 {
 
-/// The measures of a planned case, one object each: `name`, `unit`, `definition`, and the numbers
-/// `before`, `target` (of measures on the skin alone: the target is a face) and `predicted`
-/// (rigid-fit). Landmarks of bone and teeth go with the fragment that carries them, those of the
-/// skin with the nearest vertex of the reference skin. Empty where landmarks are missing.
-nlohmann::json cephalometry_of(const CaseFolder& folder, const nlohmann::json& plan);
+/// The reference skin's vertices and two displacements of them [mm].
+struct FaceStates
+{
+  const std::vector<Vec3>& skin;
+  const std::vector<Vec3>& to_target;
+  const std::vector<Vec3>& to_predicted;
+};
+
+/// `cephalometry` of plan.json. `measures` are objects with `name`, `unit`, `definition` and the
+/// numbers `before`, `target` (of measures on the skin alone: the target is a face) and `predicted`.
+/// `left_out` names measures for want of `missing_landmarks`. Landmarks of the skin go with the
+/// nearest vertex of the reference skin.
+/// \param moved  the landmarks where the bones that carry them have gone
+nlohmann::json cephalometry_json(const Landmarks& rest, const Landmarks& moved,
+                                 const FaceStates& face);
 
 } // namespace f2b

@@ -3,6 +3,7 @@
 #include "Bridge/markups.hpp"
 #include "Case/cut_surfaces.hpp"
 #include "Case/drawn_osteotomies.hpp"
+#include "Case/input_records.hpp"
 #include "Case/placed_osteotomies.hpp"
 #include "Case/settings_paths.hpp"
 #include "Case/verbs.hpp"
@@ -184,6 +185,7 @@ void cut_case(CaseSession& session)
                                        {"kerf_mm3", cut.kerf_mm3},
                                        {"imbalance", cut.imbalance},
                                        {"protected", spared},
+                                       {"inputs", cut_inputs(session.settings)},
                                        {"notes", notes}});
   change.commit("cut");
   session.progress("cut", 1);

@@ -8,13 +8,16 @@
 #include <cstdio>
 #include <fstream>
 #include <memory>
+#include <sstream>
 
 namespace f2b
 {
-
-std::string sha256_of(const Path& file)
+namespace
 {
-  std::ifstream in(file, std::ios::binary);
+
+/// Empty if the stream cannot be read to its end.
+std::string sha256_of_stream(std::istream& in)
+{
   const std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> context(EVP_MD_CTX_new(),
                                                                         EVP_MD_CTX_free);
   bool good = in && context && EVP_DigestInit_ex(context.get(), EVP_sha256(), nullptr) == 1;
@@ -28,7 +31,7 @@ std::string sha256_of(const Path& file)
   std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
   unsigned length = 0;
   if (!good || EVP_DigestFinal_ex(context.get(), digest.data(), &length) != 1)
-    throw Error(file.string(), "it cannot be read", "check the file's permissions");
+    return {};
   std::string text;
   for (unsigned i = 0; i < length; ++i)
   {
@@ -37,6 +40,23 @@ std::string sha256_of(const Path& file)
     text += two;
   }
   return text;
+}
+
+} // namespace
+
+std::string sha256_of(const Path& file)
+{
+  std::ifstream in(file, std::ios::binary);
+  const std::string digest = sha256_of_stream(in);
+  if (digest.empty())
+    throw Error(file.string(), "it cannot be read", "check the file's permissions");
+  return digest;
+}
+
+std::string sha256_of_text(const std::string& text)
+{
+  std::istringstream in(text);
+  return sha256_of_stream(in);
 }
 
 } // namespace f2b

@@ -2,8 +2,11 @@
 #include "Bridge/markups.hpp"
 #include "Bridge/mesh_file.hpp"
 #include "Bridge/transform_file.hpp"
+#include "Case/cephalometry_case.hpp"
 #include "Case/face_regions.hpp"
 #include "Case/fragment_json.hpp"
+#include "Case/input_records.hpp"
+#include "Case/library_versions.hpp"
 #include "Case/movement_rules.hpp"
 #include "Case/patient_frame_json.hpp"
 #include "Case/plan_findings.hpp"
@@ -46,8 +49,11 @@ class Planning
 public:
   explicit Planning(CaseSession& session)
       : m_session(session), m_face(session), m_target(session, m_face),
-        m_parts(skin_parts(session.folder, m_face)), m_bones(session.folder),
-        m_change(session.folder)
+        m_parts(skin_parts(session.folder, m_face)),
+        m_landmarks(session.folder.has("landmarks.mrk.json")
+                        ? read_landmarks(session.folder.file("landmarks.mrk.json"))
+                        : Landmarks{}),
+        m_bones(session.folder), m_change(session.folder)
   {
     m_pull = virtual_force_options(session);
     // before the first solve, rather than after it
@@ -70,6 +76,7 @@ private:
   void warn_of_bounds(const RigidFitResult& fit, const RigidFitOptions& options);
   json stability(const std::string& method, const std::vector<Vec3>& x);
   void examine_reach(const RigidFitResult& fit);
+  void measure(const RigidFitResult& fit);
   /// \param again  the face predicted with the movement that was found
   void tell_dragged(const VirtualForceResult& dragged, const Prediction& again);
   /// \param node_arrays  to be kept with the displaced mesh
@@ -81,6 +88,7 @@ private:
   LoadedFace m_face;
   PlanTarget m_target;
   SkinParts m_parts;
+  Landmarks m_landmarks;
   MovedBones m_bones;
   std::vector<double> m_unreachable; ///< of rigid-fit, per reference-skin vertex [mm]
   CaseChange m_change;
@@ -88,7 +96,7 @@ private:
   json m_methods = json::object(), m_failed = json::object();
   json m_seconds = json::object();
   json m_warnings = json::array();
-  json m_reachability, m_bite;
+  json m_reachability, m_bite, m_cephalometry;
 };
 
 json Planning::errors_in(const std::vector<double>& distance, const std::vector<char>& part) const
@@ -163,6 +171,14 @@ void Planning::examine_reach(const RigidFitResult& fit)
     planned.templates.push_back(o.template_name);
   m_reachability = to_json(reach, reach_sentences(reach, planned));
   m_unreachable = reach.unreachable_mm;
+}
+
+void Planning::measure(const RigidFitResult& fit)
+{
+  const SkinTarget target = m_target.for_vertices(fit.skin_displacement);
+  m_cephalometry =
+      cephalometry_json(m_landmarks, m_bones.moved_landmarks(fit.motions),
+                        {m_face.reference_skin.points, target.displacement, fit.skin_displacement});
 }
 
 json Planning::stretch(const std::vector<Vec3>& x) const
@@ -296,6 +312,7 @@ void Planning::rigid_fit()
         {"turn_deg", to_json(Vec3(fit.target_registration.tail<3>() / degree))}};
   move_bones("rigid-fit", fit.motions);
   examine_reach(fit);
+  measure(fit);
   write("rigid-fit", fit.motions, fit.x, fit.skin_displacement);
   m_seconds["rigid_fit"] = watch.seconds() - m_seconds["intervals"].get<double>();
 }
@@ -345,12 +362,19 @@ void Planning::tell_dragged(const VirtualForceResult& dragged, const Prediction&
 void Planning::finish(double seconds)
 {
   const json mesh = read_json(m_session.folder.require("mesh.json", "mesh"));
-  json plan = {
-      {"schema", "facetobone-plan/1"},  {"name", m_session.settings.name},
-      {"frame", "scanner RAS"},         {"materials", m_face.materials.name},
-      {"methods", m_methods},           {"methods_failed", m_failed},
-      {"reachability", m_reachability}, {"bite", m_bite},
-      {"warnings", m_warnings},         {"disclaimer", "research software, not a medical device"}};
+  json plan = {{"schema", "facetobone-plan/1"},
+               {"name", m_session.settings.name},
+               {"frame", "scanner RAS"},
+               {"materials", m_face.materials.name},
+               {"methods", m_methods},
+               {"methods_failed", m_failed},
+               {"reachability", m_reachability},
+               {"bite", m_bite},
+               {"cephalometry", m_cephalometry},
+               {"versions", library_versions()},
+               {"inputs", plan_inputs(m_session)},
+               {"warnings", m_warnings},
+               {"disclaimer", "research software, not a medical device"}};
   for (const char* key :
        {"prisms", "tets", "nodes", "dofs", "min_dihedral_deg", "min_prism_scaled_jacobian"})
     plan["mesh"][key] = mesh.at(key);
@@ -365,9 +389,7 @@ void Planning::finish(double seconds)
   timing["plan"] = seconds;
   timing["total"] = total;
   plan["peak_rss_mb"] = peak_memory_mb();
-  add_patient_frame(plan, m_session.folder.has("landmarks.mrk.json")
-                              ? read_landmarks(m_session.folder.file("landmarks.mrk.json"))
-                              : Landmarks{});
+  add_patient_frame(plan, m_landmarks);
   write_json(m_change.file("plan.json"), plan);
   m_change.commit("plan");
 }

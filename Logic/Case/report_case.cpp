@@ -1,12 +1,12 @@
 #include "Bridge/json_file.hpp"
 #include "Case/case_pictures.hpp"
 #include "Case/case_texts.hpp"
-#include "Case/cephalometry_case.hpp"
 #include "Case/report_facts.hpp"
 #include "Case/report_results.hpp"
 #include "Case/table_files.hpp"
 #include "Case/verbs.hpp"
 #include "Case/viewer_sources.hpp"
+#include "Core/error.hpp"
 #include "Rendering/atomic_file.hpp"
 #include "Rendering/html_report.hpp"
 #include "Rendering/pdf_report.hpp"
@@ -49,14 +49,23 @@ std::vector<std::string> warnings_of(const CaseFolder& folder, const json& plan)
   return list;
 }
 
+json plan_of(const CaseFolder& folder)
+{
+  const Path file = folder.require("plan.json", "plan");
+  json plan = read_json(file);
+  if (!plan.is_object() || plan.value("schema", json()) != "facetobone-plan/1")
+    throw Error(file.string(), "it is no plan of the form facetobone-plan/1",
+                "run 'facetobone plan' on this folder again");
+  return plan;
+}
+
 /// One run of the verb.
 class Reporting
 {
 public:
   Reporting(CaseSession& session, const ReportOptions& options)
       : m_session(session), m_options(options), m_folder(session.folder),
-        m_texts(case_texts(options.texts)),
-        m_plan(read_json(m_folder.require("plan.json", "plan"))), m_change(session.folder),
+        m_texts(case_texts(options.texts)), m_plan(plan_of(m_folder)), m_change(session.folder),
         m_scene(case_pictures(m_folder, {true, true}))
   {
   }
@@ -73,7 +82,7 @@ private:
   const ReportOptions& m_options;
   const CaseFolder& m_folder;
   Texts m_texts;
-  json m_plan, m_cephalometry;
+  json m_plan;
   CaseChange m_change;
   PlanScene m_scene;
   std::vector<WrittenPicture> m_pictures;
@@ -85,7 +94,6 @@ void Reporting::draw()
   m_session.progress("drawing pictures", 0.1);
   const Path folder = m_change.file("pictures/x").parent_path();
   m_pictures = write_pictures(m_scene, report_pictures(m_scene), folder, m_texts);
-  m_cephalometry = cephalometry_of(m_folder, m_plan);
 }
 
 void Reporting::compose(std::vector<std::string> warnings)
@@ -114,16 +122,16 @@ void Reporting::compose(std::vector<std::string> warnings)
   sections.push_back(picture_section(m_pictures, m_texts));
   sections.back().holds_viewer = true;
   sections.push_back(error_section(m_plan, m_texts));
-  sections.push_back(cephalometry_section(m_cephalometry, m_texts));
+  sections.push_back(cephalometry_section(m_plan, m_texts));
   sections.push_back(cut_section(m_plan, m_texts));
   if (m_folder.has("suggest.json"))
     sections.push_back(suggestion_section(read_json(m_folder.file("suggest.json")), m_texts));
   sections.push_back(case_section(m_session, m_options.identity, m_texts));
-  sections.push_back(frame_section(m_folder, m_texts));
+  sections.push_back(frame_section(m_folder, m_plan, m_texts));
   sections.push_back(osteotomy_section(m_folder, m_texts));
   sections.push_back(model_section(m_session, m_plan, m_texts));
   sections.push_back(timing_section(m_plan, m_texts));
-  sections.push_back(provenance_section(m_folder, m_texts));
+  sections.push_back(provenance_section(m_session, m_plan, m_texts));
 }
 
 void Reporting::write_tables() const
@@ -135,11 +143,12 @@ void Reporting::write_tables() const
       tables.push_back(to_json(table));
       write_file_atomically(m_change.file("tables/" + table.id + ".csv"), csv_of(table));
     }
-  write_json(m_change.file("report.json"), {{"schema", "facetobone-report/1"},
-                                            {"name", m_session.settings.name},
-                                            {"disclaimer", m_texts("disclaimer")},
-                                            {"cephalometry", m_cephalometry},
-                                            {"tables", tables}});
+  write_json(m_change.file("report.json"),
+             {{"schema", "facetobone-report/1"},
+              {"name", m_session.settings.name},
+              {"disclaimer", m_texts("disclaimer")},
+              {"cephalometry", cephalometry_of(m_plan).at("measures")},
+              {"tables", tables}});
 }
 
 /// The PDF, from the same document; why there is none, if so.
@@ -174,9 +183,18 @@ void Reporting::write()
 
 void report_case(CaseSession& session, const ReportOptions& options)
 {
-  Reporting reporting(session, options);
-  reporting.draw();
-  reporting.write();
+  try
+  {
+    Reporting reporting(session, options);
+    reporting.draw();
+    reporting.write();
+  }
+  catch (const json::exception& fault)
+  {
+    throw Error(session.folder.path().string(),
+                std::string("a .json file in it is not what a step writes (") + fault.what() + ")",
+                "run the steps on this folder again, from 'segment'");
+  }
   session.progress("reported", 1);
 }
 

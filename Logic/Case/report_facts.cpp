@@ -143,6 +143,64 @@ ReportTable solver_table(const json& plan, const Texts& texts)
   return table;
 }
 
+std::string listed(const json& words)
+{
+  std::string text;
+  for (const json& word : words)
+    text += (text.empty() ? "" : ", ") + word.get<std::string>();
+  return text;
+}
+
+/// Frankfort horizontal and mid-sagittal plane, in the scanner's axes.
+ReportTable patient_axes(const json& frame, const Texts& texts)
+{
+  ReportTable table;
+  table.id = "patient_axes";
+  table.caption = texts("table.patient_axes");
+  table.columns = {column("patient_axis", texts), column("right", texts), column("anterior", texts),
+                   column("superior", texts)};
+  for (const auto& [key, decimals] :
+       {std::pair{"right", 3}, {"anterior", 3}, {"superior", 3}, {"origin", 1}})
+  {
+    std::vector<ReportValue> row{texts(std::string("frame.") + key)};
+    for (const json& x : frame.at(std::string(key) + "_ras"))
+      row.emplace_back(x.get<double>(), decimals);
+    table.rows.push_back(std::move(row));
+  }
+  table.note = texts("note.patient-frame");
+  return table;
+}
+
+/// What computed the plan, and what it was computed from.
+ReportTable versions(const CaseSession& session, const json& plan, const Texts& texts)
+{
+  ReportTable table = facts("versions", texts);
+  const json reporting = library_versions();
+  const json planning = plan.value("versions", reporting);
+  for (const json& one : planning)
+    table.rows.push_back({one.at(0).get<std::string>(), one.at(1).get<std::string>()});
+  if (planning != reporting)
+    table.rows.push_back({texts("version.report"), reporting.at(0).at(1).get<std::string>()});
+  table.rows.push_back({texts("version.case"), session.document.at("schema").get<std::string>()});
+  table.rows.push_back({texts("version.plan"), plan.at("schema").get<std::string>()});
+  return table;
+}
+
+ReportTable input_table(const json& inputs, const Texts& texts)
+{
+  ReportTable table;
+  table.id = "inputs";
+  table.caption = texts("table.inputs");
+  table.columns = {column("input", texts), column("files", texts), column("sha256", texts)};
+  for (const json& input : inputs)
+    table.rows.push_back({texts("input." + input.at("input").get<std::string>()),
+                          ReportValue(input.at("files").get<double>(), 0),
+                          input.at("sha256").get<std::string>()});
+  table.note = texts("note.inputs");
+  table.is_code = true;
+  return table;
+}
+
 } // namespace
 
 ReportSection case_section(const CaseSession& session, bool identity, const Texts& texts)
@@ -179,11 +237,17 @@ ReportSection case_section(const CaseSession& session, bool identity, const Text
   return section;
 }
 
-ReportSection frame_section(const CaseFolder& folder, const Texts& texts)
+ReportSection frame_section(const CaseFolder& folder, const json& plan, const Texts& texts)
 {
   ReportSection section;
   section.heading = texts("section.frame");
   section.paragraphs = {texts("note.frame")};
+  const json frame = plan.value("patient_frame", json::object());
+  if (frame.contains("origin_ras"))
+    section.tables.push_back(patient_axes(frame, texts));
+  else if (frame.contains("missing_landmarks"))
+    section.paragraphs.push_back(
+        texts("note.no-patient-frame", {{"landmarks", listed(frame.at("missing_landmarks"))}}));
   if (!folder.has("landmarks.mrk.json"))
     return section;
   ReportTable table;
@@ -250,19 +314,20 @@ ReportSection timing_section(const json& plan, const Texts& texts)
   return section;
 }
 
-ReportSection provenance_section(const CaseFolder& folder, const Texts& texts)
+ReportSection provenance_section(const CaseSession& session, const json& plan, const Texts& texts)
 {
   ReportSection section;
   section.heading = texts("section.provenance");
-  ReportTable versions = facts("versions", texts);
-  for (const auto& [name, version] : library_versions())
-    versions.rows.push_back({name, version});
+  section.tables = {versions(session, plan, texts)};
+  if (const json inputs = plan.value("inputs", json::array()); !inputs.empty())
+    section.tables.push_back(input_table(inputs, texts));
   ReportTable checksums = facts("checksums", texts);
+  checksums.is_code = true;
   for (const char* name : {"case.json", "ct.nrrd", "landmarks.mrk.json", "skin.vtp",
                            "cuts.mrk.json", "mesh.vtu", "target.vtp", "predicted_rigid-fit.vtp"})
-    if (folder.has(name))
-      checksums.rows.push_back({name, sha256_of(folder.file(name))});
-  section.tables = {versions, checksums};
+    if (session.folder.has(name))
+      checksums.rows.push_back({name, sha256_of(session.folder.file(name))});
+  section.tables.push_back(std::move(checksums));
   return section;
 }
 

@@ -38,8 +38,8 @@ ReportColumn column(const std::string& key, const Texts& texts, const std::strin
 
 double number_at(const json& object, const char* key)
 {
-  return object.contains(key) ? object.at(key).get<double>()
-                              : std::numeric_limits<double>::quiet_NaN();
+  const bool is_there = object.contains(key) && object.at(key).is_number();
+  return is_there ? object.at(key).get<double>() : std::numeric_limits<double>::quiet_NaN();
 }
 
 /// The half width that belongs to each row of describe_movement, in the row's unit.
@@ -88,6 +88,14 @@ ReportTable table2(const json& plan, const std::string& method, const Texts& tex
   return table;
 }
 
+void add_coordinates(std::vector<ReportValue>& row, const json& movement)
+{
+  for (const char* key : {"right", "anterior", "superior"})
+    row.emplace_back(movement.at("translation_mm").at(key).get<double>(), 2);
+  for (const char* key : {"pitch", "roll", "yaw"})
+    row.emplace_back(movement.at("rotation_deg").at(key).get<double>(), 2);
+}
+
 /// Every coordinate of every fragment, for other programs.
 ReportTable coordinates(const json& plan, const Texts& texts)
 {
@@ -104,15 +112,33 @@ ReportTable coordinates(const json& plan, const Texts& texts)
     for (const json& f : plan.at("methods").at(method).at("fragments"))
     {
       std::vector<ReportValue> row{f.at("name").get<std::string>(), method};
-      for (const char* key : {"right", "anterior", "superior"})
-        row.emplace_back(f.at("translation_mm").at(key).get<double>(), 2);
-      for (const char* key : {"pitch", "roll", "yaw"})
-        row.emplace_back(f.at("rotation_deg").at(key).get<double>(), 2);
+      add_coordinates(row, f);
       for (const json& c : f.at("reference_point_ras"))
         row.emplace_back(c.get<double>(), 1);
       table.rows.push_back(std::move(row));
     }
   table.note = texts("note.convention");
+  return table;
+}
+
+/// The movements along and about the patient's own axes; no rows without them.
+ReportTable patient_coordinates(const json& plan, const Texts& texts)
+{
+  ReportTable table;
+  table.id = "movements_patient";
+  table.caption = texts("table.movements_patient");
+  table.columns = {column("fragment", texts),       column("method", texts),
+                   column("right", texts, "mm"),    column("anterior", texts, "mm"),
+                   column("superior", texts, "mm"), column("pitch", texts, "\u00b0"),
+                   column("roll", texts, "\u00b0"), column("yaw", texts, "\u00b0")};
+  for (const std::string& method : methods_of(plan))
+    for (const json& f : plan.at("methods").at(method).at("fragments"))
+      if (f.contains("in_patient_frame"))
+      {
+        std::vector<ReportValue> row{f.at("name").get<std::string>(), method};
+        add_coordinates(row, f.at("in_patient_frame"));
+        table.rows.push_back(std::move(row));
+      }
   return table;
 }
 
@@ -278,6 +304,8 @@ ReportSection movement_section(const json& plan, const Texts& texts)
     section.tables.back().note = texts(std::string("note.") + method);
   }
   section.tables.push_back(coordinates(plan, texts));
+  if (ReportTable own = patient_coordinates(plan, texts); !own.rows.empty())
+    section.tables.push_back(std::move(own));
   section.note = texts("note.intervals");
   return section;
 }
@@ -318,8 +346,14 @@ ReportSection cut_section(const json& plan, const Texts& texts)
   return section;
 }
 
-ReportSection cephalometry_section(const json& measures, const Texts& texts)
+json cephalometry_of(const json& plan)
 {
+  return plan.value("cephalometry", json{{"measures", json::array()}});
+}
+
+ReportSection cephalometry_section(const json& plan, const Texts& texts)
+{
+  const json told = cephalometry_of(plan);
   ReportSection section;
   section.heading = texts("section.cephalometry");
   ReportTable table;
@@ -328,16 +362,21 @@ ReportSection cephalometry_section(const json& measures, const Texts& texts)
   table.columns = {column("measure", texts),   column("unit", texts),
                    column("before", texts),    column("target", texts),
                    column("predicted", texts), column("definition", texts)};
-  for (const json& m : measures)
+  for (const json& m : told.at("measures"))
     table.rows.push_back(
         {m.at("name").get<std::string>(), m.at("unit") == "deg" ? "\u00b0" : "mm",
          ReportValue(number_at(m, "before"), 1), ReportValue(number_at(m, "target"), 1),
          ReportValue(number_at(m, "predicted"), 1), m.at("definition").get<std::string>()});
   table.is_long = true;
-  if (table.rows.empty())
+  if (!told.contains("left_out"))
     section.paragraphs = {texts("note.no-cephalometry")};
-  else
-    section.tables.push_back(std::move(table));
+  else if (!told.at("left_out").empty())
+    section.paragraphs = {
+        texts("note.left-out", {{"measures", joined(told.at("left_out"), ", ")},
+                                {"landmarks", joined(told.at("missing_landmarks"), ", ")}})};
+  if (table.rows.empty())
+    return section;
+  section.tables.push_back(std::move(table));
   section.note = texts("note.cephalometry");
   return section;
 }

@@ -4,6 +4,7 @@
 #include "Bridge/material_file.hpp"
 #include "Case/face_regions.hpp"
 #include "Case/file_checksum.hpp"
+#include "Case/input_records.hpp"
 #include "Case/settings_paths.hpp"
 #include "Case/verbs.hpp"
 #include "Case/warp_points.hpp"
@@ -126,6 +127,7 @@ void segment_case(CaseSession& session)
   check_inputs(session.settings);
   session.folder.require_replaceable(case_file_names(), "segment");
   session.progress("reading the CT", 0);
+  const json inputs = segment_inputs(session.settings);
   std::vector<std::string> notes;
   const CtImage::Pointer ct = read_ct(session.settings.ct, &notes, session.settings.reading);
   const HeadSegmentation head =
@@ -178,6 +180,7 @@ void segment_case(CaseSession& session)
               {"skin", surface_facts(skin)},
               {"bone", surface_facts(bone)},
               {"regions", told_regions},
+              {"inputs", inputs},
               {"notes", notes}});
   change.commit("segment");
   session.progress("segmented", 1);

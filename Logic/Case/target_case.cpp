@@ -1,6 +1,7 @@
 #include "Bridge/json_file.hpp"
 #include "Bridge/point_labels.hpp"
 #include "Bridge/scan_surface.hpp"
+#include "Case/input_records.hpp"
 #include "Case/plan_target.hpp"
 #include "Case/settings_paths.hpp"
 #include "Case/verbs.hpp"
@@ -176,8 +177,10 @@ void target_case(CaseSession& session)
   write_surface(change.file("target.vtp"), surface);
   if (!target.scan.empty())
     write_surface(change.file(target_scan_name), read_surface(target.scan));
-  write_json(change.file("target.json"),
-             {{"seconds", watch.seconds()}, {"kind", kind}, {"peak_displacement_mm", peak}});
+  write_json(change.file("target.json"), {{"seconds", watch.seconds()},
+                                          {"kind", kind},
+                                          {"peak_displacement_mm", peak},
+                                          {"inputs", target_inputs(session.settings)}});
   change.commit("target");
   session.progress("target made", 1);
 }

@@ -125,6 +125,15 @@ void require_hounsfield_values(const CtImage& ct, const std::string& name)
 
 } // namespace
 
+fs::path dicom_folder_of(const fs::path& path)
+{
+  if (fs::is_directory(path))
+    return path;
+  if (lower_name(path).find(".dcm") != std::string::npos || !path.has_extension())
+    return fs::absolute(path).parent_path();
+  return {};
+}
+
 CtImage::Pointer read_ct(const fs::path& path, std::vector<std::string>* notes,
                          const CtReading& reading)
 {
@@ -133,10 +142,8 @@ CtImage::Pointer read_ct(const fs::path& path, std::vector<std::string>* notes,
   std::vector<std::string> ignored;
   std::vector<std::string>& told = notes ? *notes : ignored;
   CtImage::Pointer ct;
-  if (fs::is_directory(path))
-    ct = read_dicom_folder(path, reading.series, told);
-  else if (lower_name(path).find(".dcm") != std::string::npos || !path.has_extension())
-    ct = read_dicom_folder(fs::absolute(path).parent_path(), reading.series, told);
+  if (const fs::path folder = dicom_folder_of(path); !folder.empty())
+    ct = read_dicom_folder(folder, reading.series, told);
   else
     ct = read_file(path);
   if (reading.shifted_grey_values)

@@ -21,4 +21,7 @@ namespace f2b
 CtImage::Pointer read_ct(const std::filesystem::path& path,
                          std::vector<std::string>* notes = nullptr, const CtReading& reading = {});
 
+/// The folder whose DICOM files read_ct takes for this path; empty where it takes the file alone.
+std::filesystem::path dicom_folder_of(const std::filesystem::path& path);
+
 } // namespace f2b

@@ -13,6 +13,7 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
 #include <sstream>
 #include <thread>
 
@@ -46,6 +47,7 @@ struct PlannedCase
     json document = coarse_case();
     document["name"] = hostile_name;
     document["notes"] = "seen by nobody";
+    document["mesh"]["density"] = 0.2; // fewer load steps than on a still coarser mesh
     document["solver"]["step_tolerance_mm"] = 1e-8;
     fs::remove_all(folder);
     answer = run_program(
@@ -128,6 +130,21 @@ std::string printed_by(const std::string& command)
   return text;
 }
 
+Answer without_weasyprint_and_three_js(const TemporaryFolder& folder, const Arguments& arguments)
+{
+  fs::create_directory(folder / "bin");
+  for (const char* name : {"Xvfb", "xkbcomp"})
+    if (fs::exists(Path("/usr/bin") / name))
+      fs::create_symlink(Path("/usr/bin") / name, folder.path() / "bin" / name);
+  const std::string path = std::getenv("PATH");
+  ::setenv("PATH", (folder / "bin").c_str(), 1);
+  ::setenv("FACETOBONE_THREE_JS", "/nowhere", 1);
+  const Answer answer = run_program(arguments);
+  ::setenv("PATH", path.c_str(), 1);
+  ::unsetenv("FACETOBONE_THREE_JS");
+  return answer;
+}
+
 TEST(Report, PdfHasItsFontsPageNumbersUnitsAndNames)
 {
   const std::string pdf = "'" + (planned_case().folder / "report.pdf").string() + "'";
@@ -186,6 +203,10 @@ TEST(Report, CephalometryFollowsTheBoneAndTheFace)
   EXPECT_GT(convexity.at("predicted").get<double>(), convexity.at("before").get<double>() + 0.5);
   EXPECT_FALSE(convexity.contains("target")) << "a target is a face, not bone";
   EXPECT_TRUE(measures.at("E line to ls").contains("target"));
+  for (const char* name : {"SNA", "ANB"}) // S and N stay, A goes forwards
+    EXPECT_GT(measures.at(name).at("predicted").get<double>(),
+              measures.at(name).at("before").get<double>() + 0.5);
+  EXPECT_EQ(measures.size(), 20U) << "the virtual patient lacks no landmark";
 }
 
 TEST(Report, NamesAreTextAndThePatientsAreLeftOut)
@@ -198,26 +219,49 @@ TEST(Report, NamesAreTextAndThePatientsAreLeftOut)
   EXPECT_EQ(html.find("ct.nrrd</bdi></td>"), std::string::npos) << "the scan's own name";
 }
 
-TEST(Report, WithoutWeasyprintAndThreeJsSaysSoAndHasItsPictures)
+/// What the landmarks do not allow is said, and a method that failed is left out.
+TEST(Report, TellsWhatIsMissing)
 {
   const TemporaryFolder folder;
   const Path dir = copy_of_case(folder, "case");
-  fs::create_directory(folder / "bin");
-  for (const char* name : {"Xvfb", "xkbcomp"})
-    if (fs::exists(Path("/usr/bin") / name))
-      fs::create_symlink(Path("/usr/bin") / name, folder.path() / "bin" / name);
-  const std::string path = std::getenv("PATH");
-  ::setenv("PATH", (folder / "bin").c_str(), 1);
-  ::setenv("FACETOBONE_THREE_JS", "/nowhere", 1);
-  const Answer answer = run_program({"report", dir.string(), "-q"});
-  ::setenv("PATH", path.c_str(), 1);
-  ::unsetenv("FACETOBONE_THREE_JS");
+  json plan = read(dir / "plan.json");
+  plan["cephalometry"]["left_out"] = {"SNA", "SNB"};
+  plan["cephalometry"]["missing_landmarks"] = {"S"};
+  plan["patient_frame"] = {{"missing_landmarks", {"Po_R", "Po_L"}}};
+  plan["methods"].erase("virtual-force");
+  fs::remove(dir / "plan_virtual-force.vtu");
+  plan["methods_failed"] = {{"virtual-force", "no equilibrium"}};
+  plan["warnings"].push_back("virtual-force gives no plan: no equilibrium");
+  EXPECT_EQ(faults(plan, "plan.schema.json"), "");
+  std::ofstream(dir / "plan.json") << plan;
+  const Answer answer = without_weasyprint_and_three_js(folder, {"report", dir.string(), "-q"});
   ASSERT_EQ(answer.exit_code, 0) << answer.err;
-  EXPECT_FALSE(fs::exists(dir / "report.pdf")) << "a stale one";
   const std::string html = read_text(dir / "report.html");
-  EXPECT_NE(html.find("install the Debian package weasyprint"), std::string::npos);
+  for (const char* said :
+       {"For want of the landmarks S these are left out: SNA, SNB.",
+        "need the landmarks Po_R, Po_L", "virtual-force gives no plan: no equilibrium",
+        "install the Debian package weasyprint", "data:image/png"})
+    EXPECT_NE(html.find(said), std::string::npos) << said;
   EXPECT_EQ(html.find("<script"), std::string::npos);
-  EXPECT_NE(html.find("data:image/png"), std::string::npos);
+  EXPECT_FALSE(fs::exists(dir / "report.pdf")) << "a stale one";
+  EXPECT_FALSE(fs::exists(dir / "pictures/contact_surfaces.png")) << "a stale one";
+  std::ofstream(dir / "plan.json") << R"({"methods": {}})";
+  expect_refusal({"report", dir.string()}, {"plan.json", "facetobone plan"}, dir);
+}
+
+TEST(Report, ChecksumsAreThoseOfTheInputs)
+{
+  const json inputs = read(planned_case().folder / "plan.json").at("inputs");
+  std::map<std::string, std::string> sums;
+  for (const json& input : inputs)
+    sums[input.at("input")] = input.at("sha256");
+  const std::string scan = "'" + (coarse_sample() / "ct.nrrd").string() + "'";
+  EXPECT_EQ(sums.at("scan"), printed_by("sha256sum " + scan).substr(0, 64));
+  EXPECT_EQ(sums.count("landmarks") + sums.count("target"), 2U);
+  const std::string html = read_text(planned_case().folder / "report.html");
+  EXPECT_NE(html.find(sums.at("scan")), std::string::npos);
+  const std::string mesh = "'" + (planned_case().folder / "mesh.vtu").string() + "'";
+  EXPECT_NE(html.find(printed_by("sha256sum " + mesh).substr(0, 64)), std::string::npos);
 }
 
 TEST(Report, TwoAtOnceAreEqualBitForBitAndLeaveNothing)
@@ -247,19 +291,25 @@ TEST(Report, TwoAtOnceAreEqualBitForBitAndLeaveNothing)
   }
 }
 
-TEST(Report, KilledLeavesNoProcessAndThePreviousReport)
+TEST(Report, KilledLeavesNoProcessNoFileAndThePreviousReport)
 {
   const TemporaryFolder folder;
   const Path dir = copy_of_case(folder, "case");
-  const std::string before = read_text(dir / "report.html");
+  const auto before = snapshot(dir);
+  fs::create_directory(folder / "tmp");
   const std::string mark = "FACETOBONE_KILL_MARK=" + std::to_string(::getpid());
   ::setenv("FACETOBONE_KILL_MARK", std::to_string(::getpid()).c_str(), 1);
+  ::setenv("TMPDIR", (folder / "tmp").c_str(), 1);
   for (const int after_ms : {700, 2500})
+  {
     EXPECT_TRUE(run_and_kill({"report", dir.string()}, after_ms));
-  for (int i = 0; i < 200 && processes_with(mark) > 0; ++i)
-    std::this_thread::sleep_for(std::chrono::milliseconds(50));
-  EXPECT_EQ(processes_with(mark), 0);
-  EXPECT_EQ(read_text(dir / "report.html"), before);
+    for (int i = 0; i < 200 && processes_with(mark) > 0; ++i)
+      std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    EXPECT_EQ(processes_with(mark), 0);
+    EXPECT_TRUE(snapshot(dir) == before) << "not even a hidden file";
+    EXPECT_TRUE(fs::is_empty(folder / "tmp"));
+  }
+  ::unsetenv("TMPDIR");
 }
 
 /// The coordinates of a text STL's vertices, in its file's frame.
