@@ -6,6 +6,7 @@
 #include "Case/file_checksum.hpp"
 #include "Case/library_versions.hpp"
 #include "Case/placed_osteotomies.hpp"
+#include "Case/report_parts.hpp"
 
 #include <cstdio>
 
@@ -29,11 +30,6 @@ ReportTable facts(const std::string& id, const Texts& texts)
   table.caption = texts("table." + id);
   table.columns = {{"what", "", ""}, {"value", "", ""}};
   return table;
-}
-
-ReportColumn column(const std::string& key, const Texts& texts, const std::string& unit = "")
-{
-  return {key, texts("column." + key), unit};
 }
 
 std::string joined_fragments(const json& cut)
@@ -83,8 +79,9 @@ ReportTable laws(const CaseSettings& settings, const Texts& texts)
   ReportTable table;
   table.id = "materials";
   table.caption = texts("table.materials", {{"name", materials.name}});
-  table.columns = {column("tissue", texts), column("law", texts),
-                   column("coefficients", texts, "MPa"), column("poisson_ratio", texts)};
+  table.columns = {report_column("tissue", texts), report_column("law", texts),
+                   report_column("coefficients", texts, "MPa"),
+                   report_column("poisson_ratio", texts)};
   for (const Tissue tissue : {Tissue::Skin, Tissue::Fat, Tissue::Muscle})
     table.rows.push_back(law_row(tissue, materials.of(tissue), texts));
   return table;
@@ -116,10 +113,11 @@ ReportTable solver_table(const json& plan, const Texts& texts)
   ReportTable table;
   table.id = "solver";
   table.caption = texts("table.solver");
-  table.columns = {column("method", texts),         column("load_reached", texts, "%"),
-                   column("load_steps", texts),     column("newton_iterations", texts),
-                   column("factorizations", texts), column("cg_iterations", texts),
-                   column("stretch_max", texts),    column("outside_stable", texts, "%")};
+  table.columns = {
+      report_column("method", texts),         report_column("load_reached", texts, "%"),
+      report_column("load_steps", texts),     report_column("newton_iterations", texts),
+      report_column("factorizations", texts), report_column("cg_iterations", texts),
+      report_column("stretch_max", texts),    report_column("outside_stable", texts, "%")};
   for (const char* method : {"rigid-fit", "virtual-force"})
   {
     if (!plan.at("methods").contains(method)) // it failed, which a warning tells
@@ -143,12 +141,12 @@ ReportTable solver_table(const json& plan, const Texts& texts)
   return table;
 }
 
-std::string listed(const json& words)
+/// A note as a step wrote it, to stand between others.
+std::string sentence(std::string note)
 {
-  std::string text;
-  for (const json& word : words)
-    text += (text.empty() ? "" : ", ") + word.get<std::string>();
-  return text;
+  if (!note.empty() && note.front() >= 'a' && note.front() <= 'z')
+    note.front() = static_cast<char>(note.front() - 'a' + 'A');
+  return note + (note.empty() || note.back() == '.' ? "" : ".");
 }
 
 /// Frankfort horizontal and mid-sagittal plane, in the scanner's axes.
@@ -157,8 +155,8 @@ ReportTable patient_axes(const json& frame, const Texts& texts)
   ReportTable table;
   table.id = "patient_axes";
   table.caption = texts("table.patient_axes");
-  table.columns = {column("patient_axis", texts), column("right", texts), column("anterior", texts),
-                   column("superior", texts)};
+  table.columns = {report_column("patient_axis", texts), report_column("right", texts),
+                   report_column("anterior", texts), report_column("superior", texts)};
   for (const auto& [key, decimals] :
        {std::pair{"right", 3}, {"anterior", 3}, {"superior", 3}, {"origin", 1}})
   {
@@ -191,7 +189,8 @@ ReportTable input_table(const json& inputs, const Texts& texts)
   ReportTable table;
   table.id = "inputs";
   table.caption = texts("table.inputs");
-  table.columns = {column("input", texts), column("files", texts), column("sha256", texts)};
+  table.columns = {report_column("input", texts), report_column("files", texts),
+                   report_column("sha256", texts)};
   for (const json& input : inputs)
     table.rows.push_back({texts("input." + input.at("input").get<std::string>()),
                           ReportValue(input.at("files").get<double>(), 0),
@@ -233,7 +232,7 @@ ReportSection case_section(const CaseSession& session, bool identity, const Text
   section.heading = texts("section.case");
   section.tables.push_back(std::move(table));
   for (const json& note : segment.at("notes"))
-    section.note += (section.note.empty() ? "" : " ") + note.get<std::string>();
+    section.note += (section.note.empty() ? "" : " ") + sentence(note.get<std::string>());
   return section;
 }
 
@@ -247,14 +246,14 @@ ReportSection frame_section(const CaseFolder& folder, const json& plan, const Te
     section.tables.push_back(patient_axes(frame, texts));
   else if (frame.contains("missing_landmarks"))
     section.paragraphs.push_back(
-        texts("note.no-patient-frame", {{"landmarks", listed(frame.at("missing_landmarks"))}}));
+        texts("note.no-patient-frame", {{"landmarks", joined(frame.at("missing_landmarks"))}}));
   if (!folder.has("landmarks.mrk.json"))
     return section;
   ReportTable table;
   table.id = "landmarks";
   table.caption = texts("table.landmarks");
-  table.columns = {column("landmark", texts), column("right", texts, "mm"),
-                   column("anterior", texts, "mm"), column("superior", texts, "mm")};
+  table.columns = {report_column("landmark", texts), report_column("right", texts, "mm"),
+                   report_column("anterior", texts, "mm"), report_column("superior", texts, "mm")};
   for (const auto& [name, position] : read_landmarks(folder.file("landmarks.mrk.json")))
     table.rows.push_back(point_row(name, position));
   table.is_long = true;
@@ -267,10 +266,10 @@ ReportSection osteotomy_section(const CaseFolder& folder, const Texts& texts)
   ReportTable table;
   table.id = "osteotomies";
   table.caption = texts("table.osteotomies");
-  table.columns = {column("fragment", texts),         column("plane", texts),
-                   column("right", texts, "mm"),      column("anterior", texts, "mm"),
-                   column("superior", texts, "mm"),   column("normal", texts),
-                   column("plane_size", texts, "mm"), column("kerf", texts, "mm")};
+  table.columns = {report_column("fragment", texts),         report_column("plane", texts),
+                   report_column("right", texts, "mm"),      report_column("anterior", texts, "mm"),
+                   report_column("superior", texts, "mm"),   report_column("normal", texts),
+                   report_column("plane_size", texts, "mm"), report_column("kerf", texts, "mm")};
   for (const Osteotomy& o : placed_osteotomies(folder))
     for (const BoundedPlane& p : o.planes)
     {

@@ -1,10 +1,8 @@
 #include "Case/report_results.hpp"
 
-#include "Case/case_pictures.hpp"
+#include "Case/report_parts.hpp"
 #include "Core/geometry/face_regions.hpp"
-#include "Core/geometry/movement_words.hpp"
 
-#include <array>
 #include <limits>
 
 namespace f2b
@@ -14,132 +12,10 @@ namespace
 
 using nlohmann::json;
 
-/// Those that gave a plan; a warning tells of the others.
-std::vector<std::string> methods_of(const json& plan)
-{
-  std::vector<std::string> methods;
-  for (const char* method : {"rigid-fit", "virtual-force"})
-    if (plan.at("methods").contains(method))
-      methods.emplace_back(method);
-  return methods;
-}
-
-/// A word of Core in the report's language.
-std::string word(const std::string& english, const Texts& texts)
-{
-  const std::string key = "word." + english;
-  return texts.has(key) ? texts(key) : english;
-}
-
-ReportColumn column(const std::string& key, const Texts& texts, const std::string& unit = "")
-{
-  return {key, texts("column." + key), unit};
-}
-
 double number_at(const json& object, const char* key)
 {
   const bool is_there = object.contains(key) && object.at(key).is_number();
   return is_there ? object.at(key).get<double>() : std::numeric_limits<double>::quiet_NaN();
-}
-
-/// The half width that belongs to each row of describe_movement, in the row's unit.
-std::array<double, 6> half_widths(const json& plan, const std::string& fragment)
-{
-  std::array<double, 6> none{};
-  none.fill(std::numeric_limits<double>::quiet_NaN());
-  const auto intervals = plan_intervals(plan, fragment);
-  if (!intervals)
-    return none;
-  const auto& t = intervals->translation_mm;
-  const auto& r = intervals->rotation_deg;
-  return {t[1], t[2], r[1], t[0], r[0], r[2]};
-}
-
-/// As the paper's Table 2.
-ReportTable table2(const json& plan, const std::string& method, const Texts& texts)
-{
-  ReportTable table;
-  table.id = "movement_" + method;
-  table.caption = texts("table.movement", {{"method", method}});
-  const bool has_intervals = method == "rigid-fit";
-  table.columns = {column("fragment", texts), column("axis", texts), column("displacement", texts),
-                   column("unit", texts), column("direction", texts)};
-  if (has_intervals)
-    table.columns.push_back(column("interval", texts));
-  for (const json& f : plan.at("methods").at(method).at("fragments"))
-  {
-    const std::string name = f.at("name").get<std::string>();
-    const json& t = f.at("translation_mm");
-    const json& r = f.at("rotation_deg");
-    const std::array<double, 6> half = half_widths(plan, name);
-    std::size_t i = 0;
-    for (const MovementRow& row : describe_movement(
-             Vec3(t.at("right").get<double>(), t.at("anterior").get<double>(),
-                  t.at("superior").get<double>()),
-             {r.at("pitch").get<double>(), r.at("roll").get<double>(), r.at("yaw").get<double>()}))
-    {
-      table.rows.push_back({name, word(row.axis, texts), ReportValue(row.amount, 2),
-                            row.unit == MovementUnit::Degree ? "\u00b0" : "mm",
-                            word(row.direction, texts)});
-      if (has_intervals)
-        table.rows.back().emplace_back(half[i++], 2);
-    }
-  }
-  return table;
-}
-
-void add_coordinates(std::vector<ReportValue>& row, const json& movement)
-{
-  for (const char* key : {"right", "anterior", "superior"})
-    row.emplace_back(movement.at("translation_mm").at(key).get<double>(), 2);
-  for (const char* key : {"pitch", "roll", "yaw"})
-    row.emplace_back(movement.at("rotation_deg").at(key).get<double>(), 2);
-}
-
-/// Every coordinate of every fragment, for other programs.
-ReportTable coordinates(const json& plan, const Texts& texts)
-{
-  ReportTable table;
-  table.id = "movements";
-  table.caption = texts("table.movements");
-  table.columns = {column("fragment", texts),        column("method", texts),
-                   column("right", texts, "mm"),     column("anterior", texts, "mm"),
-                   column("superior", texts, "mm"),  column("pitch", texts, "\u00b0"),
-                   column("roll", texts, "\u00b0"),  column("yaw", texts, "\u00b0"),
-                   column("c_right", texts, "mm"),   column("c_anterior", texts, "mm"),
-                   column("c_superior", texts, "mm")};
-  for (const std::string& method : methods_of(plan))
-    for (const json& f : plan.at("methods").at(method).at("fragments"))
-    {
-      std::vector<ReportValue> row{f.at("name").get<std::string>(), method};
-      add_coordinates(row, f);
-      for (const json& c : f.at("reference_point_ras"))
-        row.emplace_back(c.get<double>(), 1);
-      table.rows.push_back(std::move(row));
-    }
-  table.note = texts("note.convention");
-  return table;
-}
-
-/// The movements along and about the patient's own axes; no rows without them.
-ReportTable patient_coordinates(const json& plan, const Texts& texts)
-{
-  ReportTable table;
-  table.id = "movements_patient";
-  table.caption = texts("table.movements_patient");
-  table.columns = {column("fragment", texts),       column("method", texts),
-                   column("right", texts, "mm"),    column("anterior", texts, "mm"),
-                   column("superior", texts, "mm"), column("pitch", texts, "\u00b0"),
-                   column("roll", texts, "\u00b0"), column("yaw", texts, "\u00b0")};
-  for (const std::string& method : methods_of(plan))
-    for (const json& f : plan.at("methods").at(method).at("fragments"))
-      if (f.contains("in_patient_frame"))
-      {
-        std::vector<ReportValue> row{f.at("name").get<std::string>(), method};
-        add_coordinates(row, f.at("in_patient_frame"));
-        table.rows.push_back(std::move(row));
-      }
-  return table;
 }
 
 struct ErrorFigure
@@ -163,9 +39,9 @@ constexpr ErrorFigure error_figures[] = {{"mean", "mm", 1, 2},
 
 std::vector<ReportColumn> error_columns(const std::string& first, const Texts& texts)
 {
-  std::vector<ReportColumn> columns{column(first, texts)};
+  std::vector<ReportColumn> columns{report_column(first, texts)};
   for (const ErrorFigure& figure : error_figures)
-    columns.push_back(column(figure.key, texts, figure.unit));
+    columns.push_back(report_column(figure.key, texts, figure.unit));
   return columns;
 }
 
@@ -213,10 +89,11 @@ ReportTable reach_table(const json& regions, const Texts& texts)
   ReportTable table;
   table.id = "reachability";
   table.caption = texts("table.reachability");
-  table.columns = {column("region", texts),          column("area_mm2", texts, "mm\u00b2"),
-                   column("asked_p90", texts, "mm"), column("asked_max", texts, "mm"),
-                   column("left_p90", texts, "mm"),  column("left_max", texts, "mm"),
-                   column("share_left", texts, "%")};
+  table.columns = {
+      report_column("region", texts),          report_column("area_mm2", texts, "mm\u00b2"),
+      report_column("asked_p90", texts, "mm"), report_column("asked_max", texts, "mm"),
+      report_column("left_p90", texts, "mm"),  report_column("left_max", texts, "mm"),
+      report_column("share_left", texts, "%")};
   for (const FaceRegion region : all_face_regions())
     if (const std::string key = key_of(region); regions.contains(key))
     {
@@ -236,13 +113,13 @@ ReportTable cut_table(const json& plan, const std::string& method, const Texts& 
   ReportTable table;
   table.id = "cuts_" + method;
   table.caption = texts("table.cuts", {{"method", method}});
-  table.columns = {column("between", texts),
-                   column("gap_mean", texts, "mm"),
-                   column("gap_max", texts, "mm"),
-                   column("gap_volume", texts, "mm\u00b3"),
-                   column("facing_share", texts, "%"),
-                   column("overlap_depth", texts, "mm"),
-                   column("overlap_volume", texts, "mm\u00b3")};
+  table.columns = {report_column("between", texts),
+                   report_column("gap_mean", texts, "mm"),
+                   report_column("gap_max", texts, "mm"),
+                   report_column("gap_volume", texts, "mm\u00b3"),
+                   report_column("facing_share", texts, "%"),
+                   report_column("overlap_depth", texts, "mm"),
+                   report_column("overlap_volume", texts, "mm\u00b3")};
   for (const json& m : plan.at("methods").at(method).at("bone_contacts"))
   {
     const json& gap = m.at("gap");
@@ -264,8 +141,8 @@ ReportTable bite_table(const json& bite, const Texts& texts)
   ReportTable table;
   table.id = "bite";
   table.caption = texts("table.bite");
-  table.columns = {column("measure", texts),
-                   column("before", texts, "mm"),
+  table.columns = {report_column("measure", texts),
+                   report_column("before", texts, "mm"),
                    {"rigid-fit", "rigid-fit", "mm"},
                    {"virtual-force", "virtual-force", "mm"}};
   for (const char* key : {"overjet_mm", "overbite_mm", "lower_to_upper_midline_mm",
@@ -284,31 +161,7 @@ ReportTable bite_table(const json& bite, const Texts& texts)
   return table;
 }
 
-std::string joined(const json& words, const char* between)
-{
-  std::string text;
-  for (const json& one : words)
-    text += (text.empty() ? "" : between) + one.get<std::string>();
-  return text;
-}
-
 } // namespace
-
-ReportSection movement_section(const json& plan, const Texts& texts)
-{
-  ReportSection section;
-  section.heading = texts("section.movement");
-  for (const std::string& method : methods_of(plan))
-  {
-    section.tables.push_back(table2(plan, method, texts));
-    section.tables.back().note = texts(std::string("note.") + method);
-  }
-  section.tables.push_back(coordinates(plan, texts));
-  if (ReportTable own = patient_coordinates(plan, texts); !own.rows.empty())
-    section.tables.push_back(std::move(own));
-  section.note = texts("note.intervals");
-  return section;
-}
 
 ReportSection error_section(const json& plan, const Texts& texts)
 {
@@ -341,8 +194,12 @@ ReportSection cut_section(const json& plan, const Texts& texts)
   section.heading = texts("section.cuts");
   for (const std::string& method : methods_of(plan))
     section.tables.push_back(cut_table(plan, method, texts));
-  if (plan.at("bite").contains("before"))
-    section.tables.push_back(bite_table(plan.at("bite"), texts));
+  const json& bite = plan.at("bite");
+  if (bite.contains("before"))
+    section.tables.push_back(bite_table(bite, texts));
+  else if (bite.contains("missing_landmarks"))
+    section.note =
+        texts("note.no-bite", {{"landmarks", joined(bite.at("missing_landmarks"), ", ")}});
   return section;
 }
 
@@ -359,9 +216,9 @@ ReportSection cephalometry_section(const json& plan, const Texts& texts)
   ReportTable table;
   table.id = "cephalometry";
   table.caption = texts("table.cephalometry");
-  table.columns = {column("measure", texts),   column("unit", texts),
-                   column("before", texts),    column("target", texts),
-                   column("predicted", texts), column("definition", texts)};
+  table.columns = {report_column("measure", texts),   report_column("unit", texts),
+                   report_column("before", texts),    report_column("target", texts),
+                   report_column("predicted", texts), report_column("definition", texts)};
   for (const json& m : told.at("measures"))
     table.rows.push_back(
         {m.at("name").get<std::string>(), m.at("unit") == "deg" ? "\u00b0" : "mm",
@@ -388,8 +245,8 @@ ReportSection suggestion_section(const json& suggested, const Texts& texts)
   ReportTable table;
   table.id = "suggestions";
   table.caption = texts("table.suggestions");
-  table.columns = {column("cuts", texts), column("reached", texts, "%"),
-                   column("rms_left", texts, "mm"), column("movement", texts)};
+  table.columns = {report_column("cuts", texts), report_column("reached", texts, "%"),
+                   report_column("rms_left", texts, "mm"), report_column("movement", texts)};
   for (const json& s : suggested.at("suggestions"))
   {
     std::string movement;

@@ -28,6 +28,8 @@ table { border-collapse: collapse; margin: .6rem 0 1rem; width: 100%;
 .short { break-inside: avoid; }
 .code td { font: .85rem/1.5 "DejaVu Sans Mono", "Liberation Mono", Menlo, Consolas, monospace; }
 tr { break-inside: avoid; }
+caption, thead { break-after: avoid; }
+tbody tr:first-child { break-before: avoid; break-after: avoid; }
 thead { display: table-header-group; }
 caption { caption-side: top; text-align: left; color: #1c2127; font-weight: 600;
   padding-bottom: .3rem; }

@@ -197,10 +197,12 @@ std::string bones_json(const PlanScene& scene, const Quantiser& quantiser, int l
 {
   const PlanPictures& p = scene.pictures();
   std::string json = "[{" + bone_json(p.uncut_bone, quantiser, limit, bone_colour) + "}";
+  // the page stays as small with many fragments
+  const int fragment_limit = limit / std::max(2, static_cast<int>(p.fragments.size()));
   for (std::size_t f = 0; f < p.fragments.size(); ++f)
   {
     const FragmentPicture& fragment = p.fragments[f];
-    json += ",{" + bone_json(fragment.rest, quantiser, limit / 2, fragment_colour(f)) +
+    json += ",{" + bone_json(fragment.rest, quantiser, fragment_limit, fragment_colour(f)) +
             ",\"name\":" + quoted(fragment.name) + ",\"matrix\":" + list(fragment.matrix_ras) +
             ",\"centre\":" + list(fragment.reference_point_ras) + "}";
   }

@@ -15,7 +15,7 @@ namespace f2b
 struct ViewerLimits
 {
   int skin_triangles = 70000;
-  int bone_triangles = 60000; ///< of the bone that stays; each fragment has half of it at most
+  int bone_triangles = 60000; ///< of bone that stays; of all fragments, too
 };
 
 /// \param library  text of three.js (r110 or later, the script that defines THREE)

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
 #include <functional>
 #include <thread>
@@ -74,9 +75,13 @@ Answer run_as_nobody(const Arguments& arguments)
 
 bool run_and_kill(const Arguments& arguments, int after_ms)
 {
+  int ends[2];
+  EXPECT_EQ(::pipe(ends), 0);
+  ::fcntl(ends[0], F_SETFD, FD_CLOEXEC);
   const pid_t child = ::fork();
   if (child == 0)
     become(arguments, "/dev/null", "/dev/null");
+  ::close(ends[1]);
   std::this_thread::sleep_for(std::chrono::milliseconds(after_ms));
   int status = 0;
   const bool running = ::waitpid(child, &status, WNOHANG) == 0;
@@ -85,6 +90,11 @@ bool run_and_kill(const Arguments& arguments, int after_ms)
     ::kill(child, SIGKILL);
     ::waitpid(child, &status, 0);
   }
+  char nothing; // whatever it has started holds the other end
+  while (::read(ends[0], &nothing, 1) < 0 && errno == EINTR)
+  {
+  }
+  ::close(ends[0]);
   return running;
 }
 

@@ -20,7 +20,8 @@ struct Answer
 
 /// Runs facetobone to its end.
 Answer run_program(const Arguments& arguments, const Path& working_folder = ".");
-/// Starts it without output and kills it (SIGKILL) after a while; whether it was still running.
+/// Starts it without output and kills it (SIGKILL) after a while; whether it was still running. Waits
+/// for the end of what it has started, too.
 bool run_and_kill(const Arguments& arguments, int after_ms);
 /// Runs it as a user who owns nothing, where this process may do so.
 Answer run_as_nobody(const Arguments& arguments);
