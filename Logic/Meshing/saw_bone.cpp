@@ -9,7 +9,10 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <random>
 
@@ -112,6 +115,35 @@ std::optional<CgalSurface> joined(const std::vector<TriangleMesh>& blades, doubl
   return all;
 }
 
+/// The same triangles in an order of their own: CGAL's depends on where the heap has put its meshes,
+/// and the last digits of sums over them would, too.
+TriangleMesh in_order(const TriangleMesh& mesh)
+{
+  std::vector<int> order(mesh.points.size()), place(mesh.points.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto key = [&](int v)
+  {
+    const Vec3& p = mesh.points[static_cast<std::size_t>(v)];
+    return std::array<double, 3>{p.x(), p.y(), p.z()};
+  };
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return key(a) < key(b); });
+  TriangleMesh sorted;
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    place[static_cast<std::size_t>(order[i])] = static_cast<int>(i);
+    sorted.points.push_back(mesh.points[static_cast<std::size_t>(order[i])]);
+  }
+  for (Triangle t : mesh.triangles)
+  {
+    for (int& corner : t)
+      corner = place[static_cast<std::size_t>(corner)];
+    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+    sorted.triangles.push_back(t);
+  }
+  std::sort(sorted.triangles.begin(), sorted.triangles.end());
+  return sorted;
+}
+
 struct Difference
 {
   TriangleMesh left, taken;
@@ -135,7 +167,7 @@ std::optional<Difference> difference(const CgalSurface& bone,
     if (!done[PMP::Corefinement::TM1_MINUS_TM2] || !done[PMP::Corefinement::INTERSECTION] ||
         !CGAL::is_closed(left) || !CGAL::is_closed(taken))
       return std::nullopt;
-    return Difference{from_cgal(left), from_cgal(taken)};
+    return Difference{in_order(from_cgal(left)), in_order(from_cgal(taken))};
   }
   catch (const PMP::Corefinement::Self_intersection_exception&)
   {
