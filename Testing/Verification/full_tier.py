@@ -392,7 +392,7 @@ def landmarks_ras(path):
 
 def midline_plane(path, landmarks):
     """A cut between the halves of the upper jaw, from the teeth to above the floor of the nose."""
-    low, high = landmarks["U1"][2] - 1, landmarks["ANS"][2] + 8
+    low, high = landmarks["U1"][2] - 4, landmarks["ANS"][2] + 8
     centre = [-landmarks["ANS"][0], -(landmarks["ANS"][1] + landmarks["PNS"][1]) / 2, (low + high) / 2]
     path.write_text(json.dumps({"markups": [{
         "type": "Plane", "name": "midline", "coordinateSystem": "LPS", "planeType": "pointNormal",
