@@ -44,7 +44,8 @@ TEST(PostoperativeFindings, TheSameCtSaysThatNothingMoved)
   EXPECT_EQ(fragment.at("name"), "mid-face");
   EXPECT_EQ(motion_from(fragment).matrix(), found.movements[0].fit.motion.matrix());
   EXPECT_FALSE(fragment.contains("from_plan_mm")) << "there is no plan";
-  EXPECT_LT(told.at("skin_distance_mm").at("rest").at("mean").get<double>(), 0.15);
+  EXPECT_LT(told.at("skin_distance_mm").at("rest").at("mean").get<double>(),
+            0.2); // of 2.5 mm voxels
   EXPECT_GT(told.at("skin_distance_mm").at("rest").at("area_mm2").get<double>(), 20000);
   EXPECT_FALSE(told.at("skin_distance_mm").contains("predicted")) << "nothing was predicted";
   EXPECT_TRUE(told.at("warnings").empty()) << told.at("warnings");
