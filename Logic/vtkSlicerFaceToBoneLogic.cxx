@@ -235,19 +235,12 @@ vtkMRMLFaceToBonePlanNode* vtkSlicerFaceToBoneLogic::OpenCase(const std::string&
   return plan;
 }
 
-bool vtkSlicerFaceToBoneLogic::WriteCaseScene(const std::string& folder)
+void vtkSlicerFaceToBoneLogic::WriteCaseScene(const f2b::CaseOutlook& files)
 {
-  const Ending ending = Attempt(
-      [&]
-      {
-        const f2b::CaseSession session = f2b::CaseSession::open(folder); // nobody else writes
-        const f2b::CaseOutlook files = f2b::committed_files(session.folder.path());
-        f2b::write_file_atomically(files.folder / f2b::case_scene_name,
-                                   f2b::case_scene_text(files, this->GetMRMLScene()));
-      });
-  this->ErrorCode = ending.Code;
-  this->ErrorText = ending.Text;
-  return ending.Code == 0;
+  const vtkNew<vtkMRMLScene> scene;
+  const vtkNew<vtkSlicerFaceToBoneLogic> logic;
+  logic->SetMRMLScene(scene);
+  logic->Internal->WriteScene(*logic, files);
 }
 
 // --- Steps

@@ -10,6 +10,10 @@
 #include <vector>
 
 class vtkMRMLFaceToBonePlanNode;
+namespace f2b
+{
+struct CaseOutlook;
+}
 
 /// \brief Plans on nodes: one method per step, no mathematics.
 ///
@@ -43,9 +47,9 @@ public:
   /// The plan of a case folder with its nodes. Null and GetErrorText where it is none.
   vtkMRMLFaceToBonePlanNode* OpenCase(const std::string& folder);
 
-  /// Brings a case folder's `case.mrml` up to its files, for programs that do their steps without
-  /// nodes; adds nothing to the scene. False and GetErrorText where it cannot be written.
-  bool WriteCaseScene(const std::string& folder);
+  /// Adds `case.mrml` to a change of a case folder that is about to be committed, for programs that
+  /// do their steps without nodes: a CommitHook on nodes of its own, for any thread. Throws Error.
+  static void WriteCaseScene(const f2b::CaseOutlook& files);
 
   /// Each does one step of a plan and returns whether it was done. Settings and what was edited on
   /// nodes (cut planes, landmarks, a target's displacements) go into the case first.

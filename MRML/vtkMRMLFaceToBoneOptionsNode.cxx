@@ -60,7 +60,7 @@ void vtkMRMLFaceToBoneOptionsNode::ReadNumbersAndLists(const char* name, const s
   else if (!strcmp(name, "forceLandmarks"))
     this->ForceLandmarks = ToList(value);
   else if (!strcmp(name, "statedMovements"))
-    this->StatedMovements = ToMovements(value);
+    this->StatedMovements.FromText(value);
 }
 
 void vtkMRMLFaceToBoneOptionsNode::WriteXML(ostream& of, int indent)
@@ -111,7 +111,7 @@ void vtkMRMLFaceToBoneOptionsNode::WriteNumbersAndLists(ostream& of)
       {"boneThresholdHU", this->BoneThresholdHU.ToText()},
       {"region", this->Region.ToText()},
       {"forceLandmarks", FromList(this->ForceLandmarks)},
-      {"statedMovements", FromMovements(this->StatedMovements)}};
+      {"statedMovements", this->StatedMovements.ToText()}};
   for (const auto& text : texts)
     if (!text.second.empty())
       of << " " << text.first << "=\"" << this->XMLAttributeEncodeString(text.second) << "\"";
@@ -266,37 +266,23 @@ void vtkMRMLFaceToBoneOptionsNode::SetForceLandmarks(const std::vector<std::stri
 void vtkMRMLFaceToBoneOptionsNode::SetStatedMovement(const std::string& fragment,
                                                      const double movement[6])
 {
-  std::array<double, 6> values;
-  std::copy(movement, movement + 6, values.begin());
-  const auto known = this->StatedMovements.find(fragment);
-  if (known != this->StatedMovements.end() && known->second == values)
-    return;
-  this->StatedMovements[fragment] = values;
-  this->Modified();
+  if (this->StatedMovements.Set(fragment, movement))
+    this->Modified();
 }
 
 bool vtkMRMLFaceToBoneOptionsNode::GetStatedMovement(const std::string& fragment,
                                                      double movement[6])
 {
-  const auto known = this->StatedMovements.find(fragment);
-  if (known == this->StatedMovements.end())
-    return false;
-  std::copy(known->second.begin(), known->second.end(), movement);
-  return true;
+  return this->StatedMovements.Get(fragment, movement);
 }
 
 std::vector<std::string> vtkMRMLFaceToBoneOptionsNode::GetStatedMovementFragments()
 {
-  std::vector<std::string> fragments;
-  for (const auto& movement : this->StatedMovements)
-    fragments.push_back(movement.first);
-  return fragments;
+  return this->StatedMovements.Fragments();
 }
 
 void vtkMRMLFaceToBoneOptionsNode::RemoveStatedMovements()
 {
-  if (this->StatedMovements.empty())
-    return;
-  this->StatedMovements.clear();
-  this->Modified();
+  if (this->StatedMovements.Remove())
+    this->Modified();
 }

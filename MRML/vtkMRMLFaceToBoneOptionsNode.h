@@ -1,6 +1,7 @@
 #ifndef __vtkMRMLFaceToBoneOptionsNode_h
 #define __vtkMRMLFaceToBoneOptionsNode_h
 
+#include "vtkMRMLFaceToBoneMovements.h"
 #include "vtkMRMLFaceToBoneOptional.h"
 #include "vtkSlicerFaceToBoneModuleMRMLExport.h"
 
@@ -142,7 +143,7 @@ protected:
   bool ForceStiffnessAutomatic = false;
   std::string ForceLoad = "following";
   std::vector<std::string> ForceLandmarks;
-  vtkMRMLFaceToBoneText::Movements StatedMovements;
+  vtkMRMLFaceToBoneMovements StatedMovements;
   std::string OtherSettings;
 };
 

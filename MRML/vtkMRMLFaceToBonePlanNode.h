@@ -4,6 +4,8 @@
 #include "vtkMRMLFaceToBoneOptionsNode.h"
 #include "vtkSlicerFaceToBoneModuleMRMLExport.h"
 
+#include <map>
+
 struct vtkMRMLFaceToBonePlannedMovement;
 class vtkMRMLFaceToBoneOsteotomyNode;
 class vtkMRMLFaceToBoneTargetNode;

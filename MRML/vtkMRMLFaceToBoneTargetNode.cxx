@@ -38,7 +38,7 @@ void vtkMRMLFaceToBoneTargetNode::ReadXMLAttributes(const char** atts)
   vtkMRMLReadXMLStdStringMacro(otherSettings, OtherSettings);
   if (!strcmp(xmlReadAttName, "movements"))
   {
-    this->Movements = vtkMRMLFaceToBoneText::ToMovements(xmlReadAttValue);
+    this->Movements.FromText(xmlReadAttValue);
     this->Modified();
   }
   vtkMRMLReadXMLEndMacro();
@@ -59,9 +59,7 @@ void vtkMRMLFaceToBoneTargetNode::WriteXML(ostream& of, int indent)
   vtkMRMLFaceToBoneWriteXMLExactMacro(peakDisplacementMm, PeakDisplacementMm);
   vtkMRMLWriteXMLStdStringMacro(otherSettings, OtherSettings);
   vtkMRMLWriteXMLEndMacro();
-  of << " movements=\""
-     << this->XMLAttributeEncodeString(vtkMRMLFaceToBoneText::FromMovements(this->Movements))
-     << "\"";
+  of << " movements=\"" << this->XMLAttributeEncodeString(this->Movements.ToText()) << "\"";
 }
 
 void vtkMRMLFaceToBoneTargetNode::CopyContent(vtkMRMLNode* anode, bool deepCopy)
@@ -103,7 +101,7 @@ void vtkMRMLFaceToBoneTargetNode::PrintSelf(ostream& os, vtkIndent indent)
   vtkMRMLPrintFloatMacro(PeakDisplacementMm);
   vtkMRMLPrintStdStringMacro(OtherSettings);
   vtkMRMLPrintEndMacro();
-  os << indent << "Movements: " << vtkMRMLFaceToBoneText::FromMovements(this->Movements) << "\n";
+  os << indent << "Movements: " << this->Movements.ToText() << "\n";
 }
 
 const char* vtkMRMLFaceToBoneTargetNode::GetKindAsString(int kind)
@@ -121,38 +119,24 @@ int vtkMRMLFaceToBoneTargetNode::GetKindFromString(const char* kind)
 
 void vtkMRMLFaceToBoneTargetNode::SetMovement(const std::string& fragment, const double movement[6])
 {
-  std::array<double, 6> values;
-  std::copy(movement, movement + 6, values.begin());
-  const auto known = this->Movements.find(fragment);
-  if (known != this->Movements.end() && known->second == values)
-    return;
-  this->Movements[fragment] = values;
-  this->Modified();
+  if (this->Movements.Set(fragment, movement))
+    this->Modified();
 }
 
 bool vtkMRMLFaceToBoneTargetNode::GetMovement(const std::string& fragment, double movement[6])
 {
-  const auto known = this->Movements.find(fragment);
-  if (known == this->Movements.end())
-    return false;
-  std::copy(known->second.begin(), known->second.end(), movement);
-  return true;
+  return this->Movements.Get(fragment, movement);
 }
 
 std::vector<std::string> vtkMRMLFaceToBoneTargetNode::GetMovementFragments()
 {
-  std::vector<std::string> fragments;
-  for (const auto& movement : this->Movements)
-    fragments.push_back(movement.first);
-  return fragments;
+  return this->Movements.Fragments();
 }
 
 void vtkMRMLFaceToBoneTargetNode::RemoveMovements()
 {
-  if (this->Movements.empty())
-    return;
-  this->Movements.clear();
-  this->Modified();
+  if (this->Movements.Remove())
+    this->Modified();
 }
 
 vtkMRMLModelNode* vtkMRMLFaceToBoneTargetNode::GetReferenceSkinNode()

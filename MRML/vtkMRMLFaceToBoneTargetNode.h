@@ -1,7 +1,7 @@
 #ifndef __vtkMRMLFaceToBoneTargetNode_h
 #define __vtkMRMLFaceToBoneTargetNode_h
 
-#include "vtkMRMLFaceToBoneText.h"
+#include "vtkMRMLFaceToBoneMovements.h"
 #include "vtkSlicerFaceToBoneModuleMRMLExport.h"
 
 #include <vtkMRMLNode.h>
@@ -101,7 +101,7 @@ protected:
   int Kind = Warp;
   std::string MeshFileName, ScanFileName, WarpFromFileName, WarpToFileName, OtherSettings;
   double ScanReachMm = 30, WarpRadiusMm = 45, MaskMm = 0, PeakDisplacementMm = 0;
-  vtkMRMLFaceToBoneText::Movements Movements;
+  vtkMRMLFaceToBoneMovements Movements;
 };
 
 #endif

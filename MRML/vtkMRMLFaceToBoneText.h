@@ -1,9 +1,7 @@
 #ifndef __vtkMRMLFaceToBoneText_h
 #define __vtkMRMLFaceToBoneText_h
 
-#include <array>
 #include <locale>
-#include <map>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -77,31 +75,6 @@ inline std::vector<std::string> ToList(const std::string& text)
       members.back() += text[i];
   }
   return members;
-}
-
-/// Movements by fragment, such as `mid-face:2 11 -5 5 2.5 0`: right, anterior, superior [mm],
-/// pitch, roll, yaw [degrees].
-using Movements = std::map<std::string, std::array<double, 6>>;
-
-inline std::string FromMovements(const Movements& movements)
-{
-  std::vector<std::string> members;
-  for (const auto& movement : movements)
-    members.push_back(movement.first + ":" + FromNumbers(movement.second.data(), 6));
-  return FromList(members);
-}
-
-inline Movements ToMovements(const std::string& text)
-{
-  Movements movements;
-  for (const std::string& member : ToList(text))
-  {
-    const std::size_t colon = member.find(':');
-    std::array<double, 6> values{};
-    if (colon != std::string::npos && ToNumbers(member.substr(colon + 1), values.data(), 6))
-      movements[member.substr(0, colon)] = values;
-  }
-  return movements;
 }
 
 } // namespace vtkMRMLFaceToBoneText

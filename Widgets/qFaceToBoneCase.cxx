@@ -17,13 +17,10 @@
 
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>
-#include <vtkMRMLScene.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkSlicerFaceToBoneLogic.h>
-
-#include <stdexcept>
 
 namespace
 {
@@ -36,17 +33,6 @@ Progress partOf(const Progress& whole, double begin, double end)
 {
   return [whole, begin, end](std::string_view what, double fraction)
   { whole(what, begin + fraction * (end - begin)); };
-}
-
-/// A step by the engine alone leaves no case.mrml that is older than its files: this writes the new
-/// one, on nodes of its own, so that it may be called in any thread.
-void writeScene(const std::string& folder)
-{
-  const vtkNew<vtkMRMLScene> scene;
-  const vtkNew<vtkSlicerFaceToBoneLogic> logic;
-  logic->SetMRMLScene(scene);
-  if (!logic->WriteCaseScene(folder))
-    throw std::runtime_error("the step is done, but not its scene: " + logic->GetErrorText());
 }
 
 vtkSmartPointer<vtkImageData> imageOf(const f2b::ScalarGrid& grid)
@@ -384,11 +370,9 @@ qFaceToBoneTask::Work qFaceToBoneCase::work(Step step) const
     return [=](const Progress& progress)
     {
       const std::lock_guard<std::mutex> alone(*inUse);
-      {
-        CaseSession session(folder, document, source, progress);
-        f2b::segment_case(session);
-      }
-      writeScene(folder);
+      CaseSession session(folder, document, source, progress);
+      session.folder.set_commit_hook(vtkSlicerFaceToBoneLogic::WriteCaseScene);
+      f2b::segment_case(session);
     };
   if (step == Report)
     return [=](const Progress& progress)
@@ -399,25 +383,23 @@ qFaceToBoneTask::Work qFaceToBoneCase::work(Step step) const
   return [=](const Progress& progress)
   {
     const std::lock_guard<std::mutex> alone(*inUse);
+    CaseSession session = CaseSession::open(folder, progress);
+    session.folder.set_commit_hook(vtkSlicerFaceToBoneLogic::WriteCaseScene);
+    session.change_settings(document, source);
+    switch (step)
     {
-      CaseSession session = CaseSession::open(folder, progress);
-      session.change_settings(document, source);
-      switch (step)
-      {
-      case Cuts:
-        session.progress = partOf(progress, 0, 0.2);
-        f2b::cut_case(session);
-        session.progress = partOf(progress, 0.2, 1);
-        f2b::mesh_case(session);
-        break;
-      case Target:
-        f2b::target_case(session);
-        break;
-      default:
-        f2b::plan_case(session);
-      }
+    case Cuts:
+      session.progress = partOf(progress, 0, 0.2);
+      f2b::cut_case(session);
+      session.progress = partOf(progress, 0.2, 1);
+      f2b::mesh_case(session);
+      break;
+    case Target:
+      f2b::target_case(session);
+      break;
+    default:
+      f2b::plan_case(session);
     }
-    writeScene(folder);
   };
 }
 

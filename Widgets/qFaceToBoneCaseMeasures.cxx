@@ -4,6 +4,7 @@
 #include <Case/live_plan.hpp>
 #include <Core/error.hpp>
 #include <Core/geometry/cephalometry.hpp>
+#include <Core/geometry/nearest_vertex.hpp>
 #include <Core/sculpting/sculpting_session.hpp>
 
 #include <vtkPolyData.h>
@@ -25,15 +26,6 @@ std::vector<f2b::CephalometricMeasure> measuresOf(const f2b::Landmarks& landmark
   {
     return {};
   }
-}
-
-std::size_t nearestVertex(const std::vector<f2b::Vec3>& points, const f2b::Vec3& p)
-{
-  std::size_t nearest = 0;
-  for (std::size_t v = 1; v < points.size(); ++v)
-    if ((points[v] - p).squaredNorm() < (points[nearest] - p).squaredNorm())
-      nearest = v;
-  return nearest;
 }
 
 double distanceTo(vtkPolyData* surface, const f2b::Vec3& p)
@@ -58,7 +50,8 @@ void qFaceToBoneCase::findRides()
       continue;
     Ride ride{definition.name, -1, -1};
     if (definition.soft_tissue && m_sculpting)
-      ride.vertex = static_cast<int>(nearestVertex(m_sculpting->skin().rest(), found->second));
+      ride.vertex =
+          static_cast<int>(f2b::nearest_vertex(m_sculpting->skin().rest(), found->second));
     else if (!definition.soft_tissue)
     {
       f2b::Vec3 at = found->second;

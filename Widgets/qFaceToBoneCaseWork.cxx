@@ -5,6 +5,7 @@
 #include <Case/fragment_json.hpp>
 #include <Case/live_plan.hpp>
 #include <Core/error.hpp>
+#include <Core/geometry/nearest_vertex.hpp>
 #include <Core/sculpting/sculpting_session.hpp>
 
 #include <QDateTime>
@@ -183,12 +184,7 @@ bool qFaceToBoneCase::moveLandmark(const QString& name, const std::array<double,
       {
         // the landmark rides on the face as it is now
         const f2b::SculptedSkin& skin = m_sculpting->skin();
-        const f2b::Vec3 rest = found->second;
-        std::size_t at = 0;
-        for (std::size_t v = 0; v < skin.size(); ++v)
-          if ((skin.rest()[v] - rest).squaredNorm() < (skin.rest()[at] - rest).squaredNorm())
-            at = v;
-        const f2b::Vec3 now = skin.points()[at];
+        const f2b::Vec3 now = skin.points()[f2b::nearest_vertex(skin.rest(), found->second)];
         m_sculpting->begin_warp({now}, radiusMm, name.toStdString());
         m_sculpting->drag_warp({now + f2b::Vec3(by[0], by[1], by[2])});
         m_sculpting->end_stroke();

@@ -5,6 +5,7 @@
 #include "Bridge/mesh_file.hpp"
 #include "Bridge/skin_mapping.hpp"
 #include "Case/fragment_json.hpp"
+#include "Case/settings_paths.hpp"
 #include "Core/error.hpp"
 #include "Core/inverse/skin_error.hpp"
 #include "Core/solve/threads.hpp"
@@ -46,6 +47,11 @@ void CaseSession::change_settings(const json& case_document, const Path& source)
   document["name"] = settings.name; // kept, as the file's own name is not
   if (settings.threads > 0)
     set_thread_count(settings.threads);
+}
+
+void CaseSession::write_settings(const Path& staging) const
+{
+  write_json(staging / case_settings_name, with_folder_paths(document, folder.path()));
 }
 
 void require_inputs_elsewhere(const CaseSettings& settings, const Path& folder)

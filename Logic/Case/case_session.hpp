@@ -29,6 +29,8 @@ struct CaseSession
               Progress progress = no_progress);
   /// Replaces the settings; what follows works with them and keeps them in the case.
   void change_settings(const nlohmann::json& case_document, const Path& source);
+  /// Keeps the settings in a folder, as case.json of a case does.
+  void write_settings(const Path& staging) const;
 
 private:
   CaseSession(const Path& folder, Progress progress);

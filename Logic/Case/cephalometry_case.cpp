@@ -1,6 +1,7 @@
 #include "Case/cephalometry_case.hpp"
 
 #include "Core/geometry/cephalometry.hpp"
+#include "Core/geometry/nearest_vertex.hpp"
 
 #include <set>
 
@@ -22,15 +23,6 @@ bool is_soft(const std::string& landmark)
     return names;
   }();
   return soft.count(landmark) > 0;
-}
-
-std::size_t nearest_vertex(const std::vector<Vec3>& points, const Vec3& to)
-{
-  std::size_t nearest = 0;
-  for (std::size_t i = 1; i < points.size(); ++i)
-    if ((points[i] - to).squaredNorm() < (points[nearest] - to).squaredNorm())
-      nearest = i;
-  return nearest;
 }
 
 /// Landmarks of the skin where a state of the face takes them.

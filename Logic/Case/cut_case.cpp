@@ -5,7 +5,6 @@
 #include "Case/drawn_osteotomies.hpp"
 #include "Case/input_records.hpp"
 #include "Case/placed_osteotomies.hpp"
-#include "Case/settings_paths.hpp"
 #include "Case/verbs.hpp"
 #include "Core/error.hpp"
 #include "Core/geometry/trimmed_cuts.hpp"
@@ -162,8 +161,7 @@ void cut_case(CaseSession& session)
 
   session.progress("writing", 0.9);
   CaseChange change(session.folder);
-  write_json(change.file(case_settings_name),
-             with_folder_paths(session.document, session.folder.path()));
+  session.write_settings(change.folder());
   std::vector<BoundedPlane> planes;
   for (std::size_t f = 0; f < osteotomies.size(); ++f)
   {

@@ -49,11 +49,8 @@ class Planning
 public:
   explicit Planning(CaseSession& session)
       : m_session(session), m_face(session), m_target(session, m_face),
-        m_parts(skin_parts(session.folder, m_face)),
-        m_landmarks(session.folder.has("landmarks.mrk.json")
-                        ? read_landmarks(session.folder.file("landmarks.mrk.json"))
-                        : Landmarks{}),
-        m_bones(session.folder), m_change(session.folder)
+        m_parts(skin_parts(session.folder, m_face)), m_bones(session.folder),
+        m_change(session.folder)
   {
     m_pull = virtual_force_options(session);
     // before the first solve, rather than after it
@@ -88,7 +85,6 @@ private:
   LoadedFace m_face;
   PlanTarget m_target;
   SkinParts m_parts;
-  Landmarks m_landmarks;
   MovedBones m_bones;
   std::vector<double> m_unreachable; ///< of rigid-fit, per reference-skin vertex [mm]
   CaseChange m_change;
@@ -177,7 +173,7 @@ void Planning::measure(const RigidFitResult& fit)
 {
   const SkinTarget target = m_target.for_vertices(fit.skin_displacement);
   m_cephalometry =
-      cephalometry_json(m_landmarks, m_bones.moved_landmarks(fit.motions),
+      cephalometry_json(m_bones.landmarks(), m_bones.moved_landmarks(fit.motions),
                         {m_face.reference_skin.points, target.displacement, fit.skin_displacement});
 }
 
@@ -389,7 +385,7 @@ void Planning::finish(double seconds)
   timing["plan"] = seconds;
   timing["total"] = total;
   plan["peak_rss_mb"] = peak_memory_mb();
-  add_patient_frame(plan, m_landmarks);
+  add_patient_frame(plan, m_bones.landmarks());
   write_json(m_change.file("plan.json"), plan);
   m_change.commit("plan");
 }

@@ -34,6 +34,7 @@ public:
   /// The figures after a movement; null where landmarks are missing.
   nlohmann::json bite_after(const std::vector<RigidMotion>& motions) const;
 
+  const Landmarks& landmarks() const { return m_landmarks; } ///< empty where the case has none
   /// Every landmark where a movement takes the bone that carries it.
   Landmarks moved_landmarks(const std::vector<RigidMotion>& motions) const;
 

@@ -1,6 +1,5 @@
 #include "Bridge/json_file.hpp"
 #include "Bridge/mesh_file.hpp"
-#include "Case/settings_paths.hpp"
 #include "Case/verbs.hpp"
 #include "Core/error.hpp"
 #include "Core/models/face_models.hpp"
@@ -83,8 +82,7 @@ void predict_case(CaseSession& session)
   const FaceModelResult prediction = predict_or_throw(session, model, face, motions);
 
   CaseChange change(session.folder);
-  write_json(change.file(case_settings_name),
-             with_folder_paths(session.document, session.folder.path()));
+  session.write_settings(change.folder());
   write_surface(change.file("predicted.vtp"), displaced_skin(face, prediction.skin_displacement));
   write_mesh(change.file("predicted.vtu"), face.mesh,
              {{"displacement", node_displacements(face.mesh, prediction.x)}});

@@ -76,12 +76,9 @@ std::vector<ReportValue> law_row(Tissue tissue, const Law& law, const Texts& tex
 ReportTable laws(const CaseSettings& settings, const Texts& texts)
 {
   const MaterialSet materials = read_materials(settings.materials);
-  ReportTable table;
-  table.id = "materials";
-  table.caption = texts("table.materials", {{"name", materials.name}});
-  table.columns = {report_column("tissue", texts), report_column("law", texts),
-                   report_column("coefficients", texts, "MPa"),
-                   report_column("poisson_ratio", texts)};
+  ReportTable table =
+      report_table("materials", texts("table.materials", {{"name", materials.name}}),
+                   {{"tissue"}, {"law"}, {"coefficients", "MPa"}, {"poisson_ratio"}}, texts);
   for (const Tissue tissue : {Tissue::Skin, Tissue::Fat, Tissue::Muscle})
     table.rows.push_back(law_row(tissue, materials.of(tissue), texts));
   return table;
@@ -110,18 +107,18 @@ ReportTable mesh_table(const json& plan, const json& mesh, const Texts& texts)
 
 ReportTable solver_table(const json& plan, const Texts& texts)
 {
-  ReportTable table;
-  table.id = "solver";
-  table.caption = texts("table.solver");
-  table.columns = {
-      report_column("method", texts),         report_column("load_reached", texts, "%"),
-      report_column("load_steps", texts),     report_column("newton_iterations", texts),
-      report_column("factorizations", texts), report_column("cg_iterations", texts),
-      report_column("stretch_max", texts),    report_column("outside_stable", texts, "%")};
-  for (const char* method : {"rigid-fit", "virtual-force"})
+  ReportTable table = report_table("solver", texts("table.solver"),
+                                   {{"method"},
+                                    {"load_reached", "%"},
+                                    {"load_steps"},
+                                    {"newton_iterations"},
+                                    {"factorizations"},
+                                    {"cg_iterations"},
+                                    {"stretch_max"},
+                                    {"outside_stable", "%"}},
+                                   texts);
+  for (const std::string& method : methods_of(plan))
   {
-    if (!plan.at("methods").contains(method)) // it failed, which a warning tells
-      continue;
     const json& m = plan.at("methods").at(method);
     const json& solve = m.at("equilibrium");
     double outside = 0;
@@ -152,11 +149,9 @@ std::string sentence(std::string note)
 /// Frankfort horizontal and mid-sagittal plane, in the scanner's axes.
 ReportTable patient_axes(const json& frame, const Texts& texts)
 {
-  ReportTable table;
-  table.id = "patient_axes";
-  table.caption = texts("table.patient_axes");
-  table.columns = {report_column("patient_axis", texts), report_column("right", texts),
-                   report_column("anterior", texts), report_column("superior", texts)};
+  ReportTable table =
+      report_table("patient_axes", texts("table.patient_axes"),
+                   {{"patient_axis"}, {"right"}, {"anterior"}, {"superior"}}, texts);
   for (const auto& [key, decimals] :
        {std::pair{"right", 3}, {"anterior", 3}, {"superior", 3}, {"origin", 1}})
   {
@@ -186,11 +181,8 @@ ReportTable versions(const CaseSession& session, const json& plan, const Texts& 
 
 ReportTable input_table(const json& inputs, const Texts& texts)
 {
-  ReportTable table;
-  table.id = "inputs";
-  table.caption = texts("table.inputs");
-  table.columns = {report_column("input", texts), report_column("files", texts),
-                   report_column("sha256", texts)};
+  ReportTable table =
+      report_table("inputs", texts("table.inputs"), {{"input"}, {"files"}, {"sha256"}}, texts);
   for (const json& input : inputs)
     table.rows.push_back({texts("input." + input.at("input").get<std::string>()),
                           ReportValue(input.at("files").get<double>(), 0),
@@ -249,11 +241,9 @@ ReportSection frame_section(const CaseFolder& folder, const json& plan, const Te
         texts("note.no-patient-frame", {{"landmarks", joined(frame.at("missing_landmarks"))}}));
   if (!folder.has("landmarks.mrk.json"))
     return section;
-  ReportTable table;
-  table.id = "landmarks";
-  table.caption = texts("table.landmarks");
-  table.columns = {report_column("landmark", texts), report_column("right", texts, "mm"),
-                   report_column("anterior", texts, "mm"), report_column("superior", texts, "mm")};
+  ReportTable table =
+      report_table("landmarks", texts("table.landmarks"),
+                   {{"landmark"}, {"right", "mm"}, {"anterior", "mm"}, {"superior", "mm"}}, texts);
   for (const auto& [name, position] : read_landmarks(folder.file("landmarks.mrk.json")))
     table.rows.push_back(point_row(name, position));
   table.is_long = true;
@@ -263,13 +253,16 @@ ReportSection frame_section(const CaseFolder& folder, const json& plan, const Te
 
 ReportSection osteotomy_section(const CaseFolder& folder, const Texts& texts)
 {
-  ReportTable table;
-  table.id = "osteotomies";
-  table.caption = texts("table.osteotomies");
-  table.columns = {report_column("fragment", texts),         report_column("plane", texts),
-                   report_column("right", texts, "mm"),      report_column("anterior", texts, "mm"),
-                   report_column("superior", texts, "mm"),   report_column("normal", texts),
-                   report_column("plane_size", texts, "mm"), report_column("kerf", texts, "mm")};
+  ReportTable table = report_table("osteotomies", texts("table.osteotomies"),
+                                   {{"fragment"},
+                                    {"plane"},
+                                    {"right", "mm"},
+                                    {"anterior", "mm"},
+                                    {"superior", "mm"},
+                                    {"normal"},
+                                    {"plane_size", "mm"},
+                                    {"kerf", "mm"}},
+                                   texts);
   for (const Osteotomy& o : placed_osteotomies(folder))
     for (const BoundedPlane& p : o.planes)
     {

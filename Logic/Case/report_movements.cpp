@@ -29,13 +29,10 @@ std::array<double, 6> half_widths(const json& plan, const std::string& fragment)
 /// As the paper's Table 2.
 ReportTable table2(const json& plan, const std::string& method, const Texts& texts)
 {
-  ReportTable table;
-  table.id = "movement_" + method;
-  table.caption = texts("table.movement", {{"method", method}});
+  ReportTable table =
+      report_table("movement_" + method, texts("table.movement", {{"method", method}}),
+                   {{"fragment"}, {"axis"}, {"displacement"}, {"unit"}, {"direction"}}, texts);
   const bool has_intervals = method == "rigid-fit";
-  table.columns = {report_column("fragment", texts), report_column("axis", texts),
-                   report_column("displacement", texts), report_column("unit", texts),
-                   report_column("direction", texts)};
   if (has_intervals)
     table.columns.push_back(report_column("interval", texts));
   for (const json& f : plan.at("methods").at(method).at("fragments"))
@@ -71,16 +68,19 @@ void add_coordinates(std::vector<ReportValue>& row, const json& movement)
 /// Every coordinate of every fragment, for other programs.
 ReportTable coordinates(const json& plan, const Texts& texts)
 {
-  ReportTable table;
-  table.id = "movements";
-  table.caption = texts("table.movements");
-  table.columns = {
-      report_column("fragment", texts),        report_column("method", texts),
-      report_column("right", texts, "mm"),     report_column("anterior", texts, "mm"),
-      report_column("superior", texts, "mm"),  report_column("pitch", texts, "\u00b0"),
-      report_column("roll", texts, "\u00b0"),  report_column("yaw", texts, "\u00b0"),
-      report_column("c_right", texts, "mm"),   report_column("c_anterior", texts, "mm"),
-      report_column("c_superior", texts, "mm")};
+  ReportTable table = report_table("movements", texts("table.movements"),
+                                   {{"fragment"},
+                                    {"method"},
+                                    {"right", "mm"},
+                                    {"anterior", "mm"},
+                                    {"superior", "mm"},
+                                    {"pitch", "\u00b0"},
+                                    {"roll", "\u00b0"},
+                                    {"yaw", "\u00b0"},
+                                    {"c_right", "mm"},
+                                    {"c_anterior", "mm"},
+                                    {"c_superior", "mm"}},
+                                   texts);
   for (const std::string& method : methods_of(plan))
     for (const json& f : plan.at("methods").at(method).at("fragments"))
     {
@@ -97,13 +97,16 @@ ReportTable coordinates(const json& plan, const Texts& texts)
 /// The movements along and about the patient's own axes; no rows without them.
 ReportTable patient_coordinates(const json& plan, const Texts& texts)
 {
-  ReportTable table;
-  table.id = "movements_patient";
-  table.caption = texts("table.movements_patient");
-  table.columns = {report_column("fragment", texts),       report_column("method", texts),
-                   report_column("right", texts, "mm"),    report_column("anterior", texts, "mm"),
-                   report_column("superior", texts, "mm"), report_column("pitch", texts, "\u00b0"),
-                   report_column("roll", texts, "\u00b0"), report_column("yaw", texts, "\u00b0")};
+  ReportTable table = report_table("movements_patient", texts("table.movements_patient"),
+                                   {{"fragment"},
+                                    {"method"},
+                                    {"right", "mm"},
+                                    {"anterior", "mm"},
+                                    {"superior", "mm"},
+                                    {"pitch", "\u00b0"},
+                                    {"roll", "\u00b0"},
+                                    {"yaw", "\u00b0"}},
+                                   texts);
   for (const std::string& method : methods_of(plan))
     for (const json& f : plan.at("methods").at(method).at("fragments"))
       if (f.contains("in_patient_frame"))

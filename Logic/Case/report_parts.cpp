@@ -8,6 +8,17 @@ ReportColumn report_column(const std::string& key, const Texts& texts, const std
   return {key, texts("column." + key), unit};
 }
 
+ReportTable report_table(const std::string& id, const std::string& caption,
+                         const std::vector<ReportHead>& columns, const Texts& texts)
+{
+  ReportTable table;
+  table.id = id;
+  table.caption = caption;
+  for (const ReportHead& column : columns)
+    table.columns.push_back(report_column(column.key, texts, column.unit));
+  return table;
+}
+
 std::vector<std::string> methods_of(const nlohmann::json& plan)
 {
   std::vector<std::string> methods;

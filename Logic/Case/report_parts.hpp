@@ -12,6 +12,14 @@ namespace f2b
 /// Titled by the text `column.KEY`.
 ReportColumn report_column(const std::string& key, const Texts& texts,
                            const std::string& unit = "");
+struct ReportHead
+{
+  const char* key;
+  const char* unit = "";
+};
+/// An empty table with columns as report_column titles them.
+ReportTable report_table(const std::string& id, const std::string& caption,
+                         const std::vector<ReportHead>& columns, const Texts& texts);
 /// Those that gave a plan; a warning tells of the others.
 std::vector<std::string> methods_of(const nlohmann::json& plan);
 /// A word of Core in the report's language.

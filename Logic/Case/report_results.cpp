@@ -86,14 +86,15 @@ ReportTable region_errors(const json& plan, const std::string& method, const Tex
 
 ReportTable reach_table(const json& regions, const Texts& texts)
 {
-  ReportTable table;
-  table.id = "reachability";
-  table.caption = texts("table.reachability");
-  table.columns = {
-      report_column("region", texts),          report_column("area_mm2", texts, "mm\u00b2"),
-      report_column("asked_p90", texts, "mm"), report_column("asked_max", texts, "mm"),
-      report_column("left_p90", texts, "mm"),  report_column("left_max", texts, "mm"),
-      report_column("share_left", texts, "%")};
+  ReportTable table = report_table("reachability", texts("table.reachability"),
+                                   {{"region"},
+                                    {"area_mm2", "mm\u00b2"},
+                                    {"asked_p90", "mm"},
+                                    {"asked_max", "mm"},
+                                    {"left_p90", "mm"},
+                                    {"left_max", "mm"},
+                                    {"share_left", "%"}},
+                                   texts);
   for (const FaceRegion region : all_face_regions())
     if (const std::string key = key_of(region); regions.contains(key))
     {
@@ -110,16 +111,15 @@ ReportTable reach_table(const json& regions, const Texts& texts)
 
 ReportTable cut_table(const json& plan, const std::string& method, const Texts& texts)
 {
-  ReportTable table;
-  table.id = "cuts_" + method;
-  table.caption = texts("table.cuts", {{"method", method}});
-  table.columns = {report_column("between", texts),
-                   report_column("gap_mean", texts, "mm"),
-                   report_column("gap_max", texts, "mm"),
-                   report_column("gap_volume", texts, "mm\u00b3"),
-                   report_column("facing_share", texts, "%"),
-                   report_column("overlap_depth", texts, "mm"),
-                   report_column("overlap_volume", texts, "mm\u00b3")};
+  ReportTable table = report_table("cuts_" + method, texts("table.cuts", {{"method", method}}),
+                                   {{"between"},
+                                    {"gap_mean", "mm"},
+                                    {"gap_max", "mm"},
+                                    {"gap_volume", "mm\u00b3"},
+                                    {"facing_share", "%"},
+                                    {"overlap_depth", "mm"},
+                                    {"overlap_volume", "mm\u00b3"}},
+                                   texts);
   for (const json& m : plan.at("methods").at(method).at("bone_contacts"))
   {
     const json& gap = m.at("gap");
@@ -198,8 +198,7 @@ ReportSection cut_section(const json& plan, const Texts& texts)
   if (bite.contains("before"))
     section.tables.push_back(bite_table(bite, texts));
   else if (bite.contains("missing_landmarks"))
-    section.note =
-        texts("note.no-bite", {{"landmarks", joined(bite.at("missing_landmarks"), ", ")}});
+    section.note = texts("note.no-bite", {{"landmarks", joined(bite.at("missing_landmarks"))}});
   return section;
 }
 
@@ -213,12 +212,9 @@ ReportSection cephalometry_section(const json& plan, const Texts& texts)
   const json told = cephalometry_of(plan);
   ReportSection section;
   section.heading = texts("section.cephalometry");
-  ReportTable table;
-  table.id = "cephalometry";
-  table.caption = texts("table.cephalometry");
-  table.columns = {report_column("measure", texts),   report_column("unit", texts),
-                   report_column("before", texts),    report_column("target", texts),
-                   report_column("predicted", texts), report_column("definition", texts)};
+  ReportTable table = report_table(
+      "cephalometry", texts("table.cephalometry"),
+      {{"measure"}, {"unit"}, {"before"}, {"target"}, {"predicted"}, {"definition"}}, texts);
   for (const json& m : told.at("measures"))
     table.rows.push_back(
         {m.at("name").get<std::string>(), m.at("unit") == "deg" ? "\u00b0" : "mm",
@@ -229,8 +225,8 @@ ReportSection cephalometry_section(const json& plan, const Texts& texts)
     section.paragraphs = {texts("note.no-cephalometry")};
   else if (!told.at("left_out").empty())
     section.paragraphs = {
-        texts("note.left-out", {{"measures", joined(told.at("left_out"), ", ")},
-                                {"landmarks", joined(told.at("missing_landmarks"), ", ")}})};
+        texts("note.left-out", {{"measures", joined(told.at("left_out"))},
+                                {"landmarks", joined(told.at("missing_landmarks"))}})};
   if (table.rows.empty())
     return section;
   section.tables.push_back(std::move(table));
@@ -242,11 +238,9 @@ ReportSection suggestion_section(const json& suggested, const Texts& texts)
 {
   ReportSection section;
   section.heading = texts("section.suggestions");
-  ReportTable table;
-  table.id = "suggestions";
-  table.caption = texts("table.suggestions");
-  table.columns = {report_column("cuts", texts), report_column("reached", texts, "%"),
-                   report_column("rms_left", texts, "mm"), report_column("movement", texts)};
+  ReportTable table =
+      report_table("suggestions", texts("table.suggestions"),
+                   {{"cuts"}, {"reached", "%"}, {"rms_left", "mm"}, {"movement"}}, texts);
   for (const json& s : suggested.at("suggestions"))
   {
     std::string movement;

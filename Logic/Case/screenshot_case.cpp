@@ -50,8 +50,7 @@ std::vector<PictureDefinition> frames_of(const PictureDefinition& picture,
       for (View& view : frame.views)
       {
         view.azimuth_deg += 360.0 * i / count;
-        if (i > 0) // no longer the view of that name
-          view.name += " + " + std::to_string(std::lround(360.0 * i / count)) + "\u00b0";
+        view.turned_deg = static_cast<int>(std::lround(360.0 * i / count));
       }
     else
       frame.options.fraction = count > 1 ? double(i) / (count - 1) : 1;

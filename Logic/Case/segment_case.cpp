@@ -5,7 +5,6 @@
 #include "Case/face_regions.hpp"
 #include "Case/file_checksum.hpp"
 #include "Case/input_records.hpp"
-#include "Case/settings_paths.hpp"
 #include "Case/verbs.hpp"
 #include "Case/warp_points.hpp"
 #include "Core/error.hpp"
@@ -157,8 +156,7 @@ void segment_case(CaseSession& session)
 
   session.progress("writing", 0.9);
   CaseChange change(session.folder);
-  write_json(change.file(case_settings_name),
-             with_folder_paths(session.document, session.folder.path()));
+  session.write_settings(change.folder());
   const Path ct_file = change.file("ct.nrrd");
   write_grid(ct_file, head.hu);
   write_grid(change.file("labels.nrrd"), head.labels);

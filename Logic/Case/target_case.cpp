@@ -3,7 +3,6 @@
 #include "Bridge/scan_surface.hpp"
 #include "Case/input_records.hpp"
 #include "Case/plan_target.hpp"
-#include "Case/settings_paths.hpp"
 #include "Case/verbs.hpp"
 #include "Case/warp_points.hpp"
 #include "Core/error.hpp"
@@ -172,8 +171,7 @@ void target_case(CaseSession& session)
   add_point_array(surface, "weight", masked(made.weight, displacement, target.mask_mm));
 
   CaseChange change(session.folder);
-  write_json(change.file(case_settings_name),
-             with_folder_paths(session.document, session.folder.path()));
+  session.write_settings(change.folder());
   write_surface(change.file("target.vtp"), surface);
   if (!target.scan.empty())
     write_surface(change.file(target_scan_name), read_surface(target.scan));

@@ -2,6 +2,7 @@
 
 #include "Bridge/resources.hpp"
 #include "Core/error.hpp"
+#include "Core/geometry/nearest_vertex.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -14,13 +15,6 @@ namespace
 {
 
 using nlohmann::json;
-
-const Vec3& nearest_vertex(const std::vector<Vec3>& skin, const Vec3& point)
-{
-  return *std::min_element(skin.begin(), skin.end(),
-                           [&](const Vec3& a, const Vec3& b)
-                           { return (a - point).squaredNorm() < (b - point).squaredNorm(); });
-}
 
 const Vec3& landmark_of(const Landmarks& landmarks, const std::string& name,
                         const std::string& target)
@@ -61,7 +55,7 @@ public:
       : m_stroke(stroke)
   {
     for (const BrushStroke::PathPoint& point : stroke.path)
-      m_path.push_back(nearest_vertex(skin, place_of(landmarks, point.place, target)));
+      m_path.push_back(skin[nearest_vertex(skin, place_of(landmarks, point.place, target))]);
   }
 
   struct Touch

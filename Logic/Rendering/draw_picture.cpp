@@ -21,12 +21,12 @@ struct PanelPlan
   bool has_title = true;
 };
 
-// A view that a user made up has no text of its own; "frontal + 60°" is turned from a named one.
+// A view that a user made up has no text of its own.
 std::string view_title(const View& view, const Texts& texts)
 {
-  const std::size_t turned = std::min(view.name.find(" + "), view.name.size());
-  const std::string key = "view." + view.name.substr(0, turned);
-  return texts.has(key) ? texts(key) + view.name.substr(turned) : view.name;
+  const std::string key = "view." + view.name;
+  const std::string title = texts.has(key) ? texts(key) : view.name;
+  return view.turned_deg == 0 ? title : title + " + " + std::to_string(view.turned_deg) + "\u00b0";
 }
 
 std::vector<PanelPlan> plan_panels(const std::vector<SubjectDrawing>& drawings,

@@ -19,6 +19,7 @@ struct View
   std::string name;         ///< "profile-right"; its title is the text "view.profile-right"
   double azimuth_deg = 0;   ///< from +A (0: from in front) towards +R
   double elevation_deg = 0; ///< towards +S (90: from above)
+  int turned_deg = 0; ///< how far azimuth_deg is from the view of that name, which its title tells
 };
 
 /// frontal, profile-right, profile-left, three-quarter-right, three-quarter-left, submental, top.

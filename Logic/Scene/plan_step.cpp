@@ -1,7 +1,5 @@
 #include "Scene/plan_step.hpp"
 
-#include "Bridge/json_file.hpp"
-#include "Case/settings_paths.hpp"
 #include "Core/error.hpp"
 #include "Scene/input_files.hpp"
 
@@ -118,8 +116,7 @@ void compute_step(const StepRequest& request, const Progress& progress, const Co
       {
         // most steps leave the settings as they found them; an exported deck states its own
         if (changed && request.step != export_step)
-          write_json(files.staging / case_settings_name,
-                     with_folder_paths(session.document, files.folder));
+          session.write_settings(files.staging);
         if (hook)
           hook(files);
       });
