@@ -303,6 +303,22 @@ def sanitizers(tier):
             ("of these failed", failed, "0", failed == 0)]
 
 
+def window_events(tier):
+    """10 000 random events for each 3D tool of the window, under ASan and UBSan."""
+    root = here.parent.parent
+    for command in (["cmake", "--preset", "asan"], ["cmake", "--build", "--preset", "asan", "--target", "test_tools"]):
+        subprocess.run(command, cwd=root, capture_output=True, text=True, check=True)
+    # the drivers of OpenGL keep what they have until the program ends
+    done = subprocess.run([root / ".build" / "asan" / "Testing" / "Widgets" / "test_tools", "--gtest_filter=*Random*"],
+                          capture_output=True, text=True,
+                          env=dict(os.environ, FACETOBONE_RANDOM_EVENTS="10000", ASAN_OPTIONS="detect_leaks=0"))
+    passed = re.search(r"\[  PASSED  \] (\d+) tests?", done.stdout)
+    if done.returncode or not passed:
+        print(done.stdout[-2000:] + done.stderr[-2000:], flush=True)
+    return [("tools with 10 000 random events each under ASan and UBSan", int(passed[1]) if passed else 0, ">= 6",
+             done.returncode == 0 and passed is not None and int(passed[1]) >= 6)]
+
+
 def reproducible(tier):
     def stripped(folder):
         plan = load(folder / "plan.json")
@@ -771,6 +787,7 @@ CHECKS = {
     "benchmarks": benchmarks,
     "scenes": scenes,
     "sanitizers": sanitizers,
+    "window_events": window_events,
 }
 
 

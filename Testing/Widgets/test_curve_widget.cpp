@@ -35,6 +35,13 @@ protected:
     stage.press(at(r, s));
     stage.release(at(r, s));
   }
+  std::vector<std::array<int, 2>> points()
+  {
+    std::vector<std::array<int, 2>> pixels;
+    for (const auto& p : look()->GetControlPoints())
+      pixels.push_back(stage.pixel(p[0], p[1], p[2]));
+    return pixels;
+  }
   void expect_on_bone()
   {
     for (const auto& p : look()->GetCurve())
@@ -139,12 +146,72 @@ TEST_F(CurveStage, WithoutBoneNothingHappens)
   EXPECT_EQ(look()->GetNumberOfControlPoints(), 0);
 }
 
+TEST_F(CurveStage, APointOfALineThatIsThereIsMovedAndNoneIsAdded)
+{
+  look()->SetControlPoints({{-20, 9, -10}, {0, 9, -5}, {20, 9, 12}}, false);
+  expect_on_bone();
+  tool->SetDrawing(false);
+  EventCounter ends(tool, vtkCommand::EndInteractionEvent);
+  click(10, 20);
+  stage.key("BackSpace");
+  stage.key("Return");
+  EXPECT_EQ(look()->GetNumberOfControlPoints(), 3);
+  EXPECT_EQ(ends.count, 0);
+  stage.drag(at(0, -5), at(3, 22));
+  EXPECT_NEAR(look()->GetControlPoint(1)[2], 22, 0.3);
+  EXPECT_EQ(ends.count, 1);
+}
+
+TEST_F(CurveStage, FreeLineMovesInThePictureAsAWholeOrByItsPoints)
+{
+  look()->SetFree(true);
+  look()->SetControlPoints({{-20, 30, -10}, {0, 30, -5}, {20, 30, 10}}, false);
+  tool->SetDrawing(false);
+  stage.drag(at(0, -5), at(3, 12));
+  EXPECT_NEAR(look()->GetControlPoint(1)[0], 3, 0.3);
+  EXPECT_NEAR(look()->GetControlPoint(1)[1], 30, 1e-3);
+  EXPECT_NEAR(look()->GetControlPoint(1)[2], 12, 0.3);
+  const auto before = look()->GetControlPoints();
+  stage.drag(at(-8.5, 1), at(-8.5, 9)); // on the line between two points
+  for (std::size_t i = 0; i < 3; ++i)
+    EXPECT_NEAR(look()->GetControlPoints()[i][2] - before[i][2], 8, 0.3);
+  stage.press(at(3, 20));
+  stage.move(at(30, 30));
+  stage.key("Escape");
+  EXPECT_NEAR(look()->GetControlPoint(1)[2], 20, 0.4);
+}
+
+TEST_F(CurveStage, LineWithoutHandlesIsOnlyLookedAt)
+{
+  look()->SetControlPoints({{-20, 9, -10}, {0, 9, -5}}, false);
+  tool->SetDrawing(false);
+  look()->SetHandlesShown(false);
+  stage.drag(at(0, -5), at(3, 22));
+  EXPECT_NEAR(look()->GetControlPoint(1)[2], -5, 0.3);
+}
+
+TEST_F(CurveStage, RandomEventsOnALineThatIsThereFindNothing)
+{
+  std::mt19937 random(22);
+  tool->SetDrawing(false);
+  for (int k = 0; k < testing::random_event_count(); ++k)
+  {
+    if (k % 50 == 0 && tool->GetWidgetState() == 0)
+    {
+      look()->SetFree(k % 100 == 0);
+      look()->SetControlPoints({{-20, 9, -10}, {0, 9, -5}, {20, 9, double(k % 11)}}, k % 150 == 0);
+    }
+    stage.random_event(random, points());
+    ASSERT_EQ(look()->GetNumberOfControlPoints(), 3);
+  }
+}
+
 TEST_F(CurveStage, RandomEventsFindNothing)
 {
   std::mt19937 random(21);
   for (int k = 0; k < testing::random_event_count(); ++k)
   {
-    stage.random_event(random);
+    stage.random_event(random, points());
     if (look()->GetNumberOfControlPoints() > 12 && tool->GetWidgetState() == 0)
       look()->Clear();
   }

@@ -103,7 +103,18 @@ TEST_F(FragmentStage, ControlMovesInHalvesAndLimitsHold)
   EXPECT_EQ(2 * value(0), std::round(2 * value(0)));
   EXPECT_NE(value(0), 0);
   stage.move({-3000, 200});
-  EXPECT_EQ(value(0), vtkFaceToBoneFragmentWidget::MostMm);
+  EXPECT_EQ(value(0), vtkFaceToBoneFragmentRepresentation::MostMm);
+  stage.release({0, 0});
+}
+
+TEST_F(FragmentStage, ARulesLimitsHold)
+{
+  look()->SetLimits(2, -1, 3.3);
+  stage.press(grip(2));
+  stage.move(shifted(grip(2), 0, 120));
+  EXPECT_EQ(value(2), 3.3);
+  stage.send(vtkCommand::MouseMoveEvent, {200, -300}, true);
+  EXPECT_EQ(value(2), -1);
   stage.release({0, 0});
 }
 
@@ -125,7 +136,7 @@ TEST_F(FragmentStage, RandomEventsFindNothing)
   std::mt19937 random(9);
   for (int k = 0; k < testing::random_event_count(); ++k)
   {
-    stage.random_event(random);
+    stage.random_event(random, {grip(0), grip(1), grip(2), grip(3), grip(4), grip(5)});
     for (int c = 0; c < 6; ++c)
       ASSERT_LE(std::abs(value(c)), 45);
     if (k % 40 == 0)

@@ -121,7 +121,8 @@ TEST_F(PlaneStage, RandomEventsFindNothing)
   std::mt19937 random(5);
   for (int k = 0; k < testing::random_event_count(); ++k)
   {
-    stage.random_event(random);
+    stage.random_event(random, {at(Look::Centre), at(Look::Normal), at(Look::EdgeU0),
+                                at(Look::EdgeU1), at(Look::EdgeV0), at(Look::EdgeV1)});
     if (k % 20 == 0)
       look()->SetPlane(plane); // else it soon is out of sight
     expect_orthonormal();

@@ -108,8 +108,9 @@ public:
     release(to);
   }
 
-  /// One event of any kind, anywhere in the window and a little beside it.
-  void random_event(std::mt19937& random)
+  /// One event of any kind, anywhere in the window and a little beside it; every second one at one of
+  /// the places that can be taken hold of, where there are some.
+  void random_event(std::mt19937& random, const std::vector<std::array<int, 2>>& handles = {})
   {
     static constexpr std::array events{vtkCommand::MouseMoveEvent,
                                        vtkCommand::MouseMoveEvent,
@@ -126,7 +127,9 @@ public:
     static constexpr std::array keys{"Escape",     "bracketleft", "bracketright", "braceleft",
                                      "braceright", "Return",      "BackSpace",    "Delete",
                                      "x",          "Tab"};
-    const std::array<int, 2> at{int(random() % 440) - 20, int(random() % 440) - 20};
+    std::array<int, 2> at{int(random() % 440) - 20, int(random() % 440) - 20};
+    if (!handles.empty() && random() % 2 == 0)
+      at = handles[random() % handles.size()];
     send(events[random() % events.size()], at, random() % 4 == 0, random() % 4 == 0,
          keys[random() % keys.size()]);
   }

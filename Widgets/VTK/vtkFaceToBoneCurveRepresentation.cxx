@@ -28,12 +28,31 @@ struct vtkFaceToBoneCurveRepresentation::Surface
   f2b::SurfaceTree tree;
 };
 
+struct vtkFaceToBoneCurveRepresentation::State
+{
+  std::vector<f2b::SurfacePlace> places;
+  std::vector<std::vector<Point>> legs;
+  bool closed;
+};
+
 namespace
 {
 
 using Point = std::array<double, 3>;
 
 constexpr double nearPixels = 10;
+
+f2b::SurfacePlace InTheAir(const Point& p)
+{
+  f2b::SurfacePlace place;
+  place.point = f2b::Vec3(p.data());
+  return place;
+}
+
+bool IsInTheAir(const f2b::SurfacePlace& place)
+{
+  return place.triangle < 0;
+}
 
 f2b::TriangleMesh ToMesh(vtkPolyData* surface)
 {
@@ -52,35 +71,15 @@ f2b::TriangleMesh ToMesh(vtkPolyData* surface)
   return mesh;
 }
 
-void DrawPoints(vtkPolyData* data, const std::vector<Point>& at)
-{
-  vtkNew<vtkPoints> points;
-  vtkNew<vtkCellArray> vertices;
-  for (const Point& p : at)
-  {
-    vertices->InsertNextCell(1);
-    vertices->InsertCellPoint(points->InsertNextPoint(p.data()));
-  }
-  data->Initialize();
-  data->SetPoints(points);
-  data->SetVerts(vertices);
-}
-
 } // namespace
 
 vtkFaceToBoneCurveRepresentation::vtkFaceToBoneCurveRepresentation()
     : Line(vtkSmartPointer<vtkPolyData>::New()), Points(vtkSmartPointer<vtkPolyData>::New()),
       Chosen(vtkSmartPointer<vtkPolyData>::New())
 {
-  this->AddActor(this->Line, {0.72, 0.05, 0.27}, 3.5)->GetProperty()->LightingOff();
-  vtkProperty* points = this->AddActor(this->Points, {0.1, 0.1, 0.12})->GetProperty();
-  vtkProperty* chosen = this->AddActor(this->Chosen, {1, 0.75, 0.1})->GetProperty();
-  for (vtkProperty* look : {points, chosen})
-  {
-    look->SetPointSize(look == points ? 10.f : 14.f);
-    look->RenderPointsAsSpheresOn();
-    look->SetAmbient(0.4);
-  }
+  this->LineActor = this->AddActor(this->Line, {0.72, 0.05, 0.27}, 3.5);
+  this->LineActor->GetProperty()->LightingOff();
+  this->MakeBalls(this->Points, this->Chosen);
 }
 
 vtkFaceToBoneCurveRepresentation::~vtkFaceToBoneCurveRepresentation() = default;
@@ -93,9 +92,36 @@ void vtkFaceToBoneCurveRepresentation::SetSurface(vtkPolyData* surface)
   {
     f2b::TriangleMesh mesh = ToMesh(surface);
     if (!mesh.triangles.empty())
-      this->Bone = std::make_unique<Surface>(std::move(mesh));
+      this->Bone = std::make_shared<const Surface>(std::move(mesh));
   }
   this->Modified();
+}
+
+void vtkFaceToBoneCurveRepresentation::ShareSurface(const vtkFaceToBoneCurveRepresentation& other)
+{
+  this->Clear();
+  this->Bone = other.Bone;
+  this->Modified();
+}
+
+void vtkFaceToBoneCurveRepresentation::SetFree(bool free)
+{
+  if (free == this->Free)
+    return;
+  this->Clear();
+  this->Free = free;
+}
+
+void vtkFaceToBoneCurveRepresentation::SetColour(const Point& colour)
+{
+  this->LineActor->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
+}
+
+void vtkFaceToBoneCurveRepresentation::SetHandlesShown(bool shown)
+{
+  this->HandlesShown = shown;
+  this->Highlighted = None;
+  this->Draw();
 }
 
 std::optional<f2b::SurfacePlace> vtkFaceToBoneCurveRepresentation::PlaceAt(double x, double y)
@@ -104,6 +130,16 @@ std::optional<f2b::SurfacePlace> vtkFaceToBoneCurveRepresentation::PlaceAt(doubl
     return {};
   const Ray ray = this->GetRay(x, y);
   return this->Bone->tree.first_hit(f2b::Vec3(ray.Origin.data()), f2b::Vec3(ray.Direction.data()));
+}
+
+std::optional<f2b::SurfacePlace> vtkFaceToBoneCurveRepresentation::PlaceFor(int index, double x,
+                                                                            double y)
+{
+  if (!this->Free)
+    return this->PlaceAt(x, y);
+  if (!this->Renderer)
+    return {};
+  return InTheAir(this->WorldAtDepthOf(this->GetControlPoint(index), x, y));
 }
 
 int vtkFaceToBoneCurveRepresentation::GetNumberOfControlPoints() const
@@ -117,9 +153,41 @@ auto vtkFaceToBoneCurveRepresentation::GetControlPoint(int index) const -> Point
   return {p.x(), p.y(), p.z()};
 }
 
+auto vtkFaceToBoneCurveRepresentation::GetControlPoints() const -> std::vector<Point>
+{
+  std::vector<Point> points;
+  for (int i = 0; i < this->GetNumberOfControlPoints(); ++i)
+    points.push_back(this->GetControlPoint(i));
+  return points;
+}
+
+/// Points of a file need not lie on one piece of bone: where no way leads on, it goes straight.
+void vtkFaceToBoneCurveRepresentation::SetControlPoints(const std::vector<Point>& points,
+                                                        bool closed)
+{
+  this->Clear();
+  for (const Point& p : points)
+    this->Places.push_back(
+        this->Free || !this->Bone ? InTheAir(p) : this->Bone->tree.nearest(f2b::Vec3(p.data())));
+  this->Closed = closed && points.size() > 2;
+  const std::size_t count = this->Places.size();
+  for (std::size_t i = 0; i + (this->Closed ? 0 : 1) < count; ++i)
+  {
+    const f2b::SurfacePlace &from = this->Places[i], &to = this->Places[(i + 1) % count];
+    std::vector<Point> leg = this->Leg(from, to);
+    if (leg.empty())
+      leg = this->Leg(InTheAir({from.point.x(), from.point.y(), from.point.z()}), to);
+    this->Legs.push_back(std::move(leg));
+  }
+  this->Draw();
+}
+
 auto vtkFaceToBoneCurveRepresentation::Leg(const f2b::SurfacePlace& from,
                                            const f2b::SurfacePlace& to) const -> std::vector<Point>
 {
+  if (!this->Bone || IsInTheAir(from) || IsInTheAir(to))
+    return {{from.point.x(), from.point.y(), from.point.z()},
+            {to.point.x(), to.point.y(), to.point.z()}};
   std::vector<Point> points;
   for (const f2b::Vec3& p : f2b::surface_path(this->Bone->mesh, this->Bone->links, this->Bone->tree,
                                               from, to, SpacingMm))
@@ -224,14 +292,37 @@ void vtkFaceToBoneCurveRepresentation::Clear()
   this->Draw();
 }
 
+void vtkFaceToBoneCurveRepresentation::Shift(const Point& by)
+{
+  std::vector<Point> points = this->GetControlPoints();
+  for (Point& p : points)
+    for (std::size_t k = 0; k < 3; ++k)
+      p[k] += by[k];
+  this->SetControlPoints(points, this->Closed);
+}
+
+auto vtkFaceToBoneCurveRepresentation::Remember() const -> std::shared_ptr<const State>
+{
+  return std::make_shared<const State>(State{this->Places, this->Legs, this->Closed});
+}
+
+void vtkFaceToBoneCurveRepresentation::GoBack(const State& state)
+{
+  this->Places = state.places;
+  this->Legs = state.legs;
+  this->Closed = state.closed;
+  this->Highlighted = None;
+  this->Draw();
+}
+
 void vtkFaceToBoneCurveRepresentation::Draw()
 {
   SetPolyline(this->Line, this->GetCurve(), this->Closed);
   std::vector<Point> points, chosen;
-  for (int i = 0; i < this->GetNumberOfControlPoints(); ++i)
+  for (int i = 0; this->HandlesShown && i < this->GetNumberOfControlPoints(); ++i)
     (i == this->Highlighted ? chosen : points).push_back(this->GetControlPoint(i));
-  DrawPoints(this->Points, points);
-  DrawPoints(this->Chosen, chosen);
+  SetPoints(this->Points, points);
+  SetPoints(this->Chosen, chosen);
   this->Modified();
 }
 
@@ -241,21 +332,33 @@ int vtkFaceToBoneCurveRepresentation::ControlPointAt(double x, double y)
   constexpr double behind_mm = 3;
   int found = None;
   double nearest = nearPixels;
-  for (int i = 0; i < this->GetNumberOfControlPoints(); ++i)
+  for (int i = 0; this->HandlesShown && i < this->GetNumberOfControlPoints(); ++i)
   {
     const Point world = this->GetControlPoint(i), p = this->ToDisplay(world);
     const double away = std::hypot(p[0] - x, p[1] - y);
     if (away >= nearest)
       continue;
-    const Ray ray = this->GetRay(p[0], p[1]);
-    const f2b::Vec3 origin(ray.Origin.data());
-    const auto hit = this->Bone->tree.first_hit(origin, f2b::Vec3(ray.Direction.data()));
-    if (hit && hit->distance < (f2b::Vec3(world.data()) - origin).norm() - behind_mm)
-      continue;
+    if (this->Bone && !this->Free)
+    {
+      const Ray ray = this->GetRay(p[0], p[1]);
+      const f2b::Vec3 origin(ray.Origin.data());
+      const auto hit = this->Bone->tree.first_hit(origin, f2b::Vec3(ray.Direction.data()));
+      if (hit && hit->distance < (f2b::Vec3(world.data()) - origin).norm() - behind_mm)
+        continue;
+    }
     nearest = away;
     found = i;
   }
   return found;
+}
+
+bool vtkFaceToBoneCurveRepresentation::LineAt(double x, double y)
+{
+  for (const auto& leg : this->Legs)
+    for (std::size_t i = 1; i < leg.size(); ++i)
+      if (PixelsFromPiece(this->ToDisplay(leg[i - 1]), this->ToDisplay(leg[i]), x, y) < nearPixels)
+        return true;
+  return false;
 }
 
 void vtkFaceToBoneCurveRepresentation::Highlight(int index)

@@ -10,7 +10,6 @@ vtkStandardNewMacro(vtkFaceToBoneCurveWidget);
 using Representation = vtkFaceToBoneCurveRepresentation;
 
 vtkFaceToBoneCurveWidget::vtkFaceToBoneCurveWidget()
-    : PlaceBefore(std::make_unique<f2b::SurfacePlace>())
 {
   this->On(Start, vtkCommand::MouseMoveEvent, [this] { return this->Hover(); });
   this->On(Start, vtkCommand::LeftButtonPressEvent, [this] { return this->Press(); });
@@ -20,7 +19,8 @@ vtkFaceToBoneCurveWidget::vtkFaceToBoneCurveWidget()
   this->OnKey(Start, "Delete", [this] { return this->RemoveLast(); });
   this->On(Dragging, vtkCommand::MouseMoveEvent, [this] { return this->DragPoint(); });
   this->On(Freehand, vtkCommand::MouseMoveEvent, [this] { return this->DrawOn(); });
-  for (const int state : {int(Dragging), int(Freehand)})
+  this->On(Shifting, vtkCommand::MouseMoveEvent, [this] { return this->ShiftLine(); });
+  for (const int state : {int(Dragging), int(Freehand), int(Shifting)})
   {
     this->On(state, vtkCommand::LeftButtonReleaseEvent, [this] { return this->Release(); });
     this->On(state, vtkCommand::RightButtonPressEvent, [this] { return this->TakeBack(); });
@@ -64,41 +64,66 @@ bool vtkFaceToBoneCurveWidget::Hover()
 bool vtkFaceToBoneCurveWidget::Press()
 {
   Representation* look = this->GetCurveRepresentation();
-  if (!look->HasSurface())
-    return false;
-  this->CountBefore = look->GetNumberOfControlPoints();
-  this->ClosedBefore = look->GetClosed();
+  this->Before = look->Remember();
   this->Held = look->ControlPointAt(this->GetX(), this->GetY());
-  const auto place = look->PlaceAt(this->GetX(), this->GetY());
-  if (this->Held == Representation::None)
-  {
-    if (!place || !look->AddControlPoint(*place))
-      return false;
-    this->Held = look->GetNumberOfControlPoints() - 1;
-    this->WidgetState = this->IsShiftDown() ? Freehand : Dragging;
-    return this->Changed();
-  }
-  if (this->Held == 0)
-    look->Close();
-  const auto at = look->GetControlPoint(this->Held);
-  // where it was, to go back to: under the cursor it may be another place
-  const auto p = look->ToDisplay(at);
-  const auto there = look->PlaceAt(p[0], p[1]);
-  if (!there)
-    return true;
-  *this->PlaceBefore = *there;
-  this->WidgetState = Dragging;
-  look->Highlight(this->Held);
+  return this->Held == Representation::None ? this->PressBesidePoints() : this->PressOnPoint();
+}
+
+bool vtkFaceToBoneCurveWidget::Begin(int state)
+{
+  this->WidgetState = state;
+  this->InvokeEvent(vtkCommand::StartInteractionEvent);
   return this->Changed();
+}
+
+bool vtkFaceToBoneCurveWidget::PressBesidePoints()
+{
+  Representation* look = this->GetCurveRepresentation();
+  if (look->GetFree() && look->LineAt(this->GetX(), this->GetY()))
+  {
+    this->LastX = this->GetX();
+    this->LastY = this->GetY();
+    return this->Begin(Shifting);
+  }
+  const auto place = this->Drawing ? look->PlaceAt(this->GetX(), this->GetY()) : std::nullopt;
+  if (!place || !look->AddControlPoint(*place))
+    return false;
+  this->Held = look->GetNumberOfControlPoints() - 1;
+  return this->Begin(this->IsShiftDown() ? Freehand : Dragging);
+}
+
+bool vtkFaceToBoneCurveWidget::PressOnPoint()
+{
+  Representation* look = this->GetCurveRepresentation();
+  if (this->Held == 0 && this->Drawing)
+    look->Close();
+  look->Highlight(this->Held);
+  return this->Begin(Dragging);
 }
 
 bool vtkFaceToBoneCurveWidget::DragPoint()
 {
   Representation* look = this->GetCurveRepresentation();
-  const auto place = look->PlaceAt(this->GetX(), this->GetY());
-  if (!place || this->Held >= look->GetNumberOfControlPoints())
+  if (this->Held >= look->GetNumberOfControlPoints())
     return true;
-  look->MoveControlPoint(this->Held, *place);
+  if (const auto place = look->PlaceFor(this->Held, this->GetX(), this->GetY()))
+    look->MoveControlPoint(this->Held, *place);
+  return this->Changed();
+}
+
+bool vtkFaceToBoneCurveWidget::ShiftLine()
+{
+  Representation* look = this->GetCurveRepresentation();
+  if (look->GetNumberOfControlPoints() == 0)
+    return true;
+  const auto at = look->GetControlPoint(0);
+  const auto from = look->WorldAtDepthOf(at, this->LastX, this->LastY);
+  auto by = look->WorldAtDepthOf(at, this->GetX(), this->GetY());
+  for (std::size_t k = 0; k < 3; ++k)
+    by[k] -= from[k];
+  look->Shift(by);
+  this->LastX = this->GetX();
+  this->LastY = this->GetY();
   return this->Changed();
 }
 
@@ -106,7 +131,7 @@ bool vtkFaceToBoneCurveWidget::DrawOn()
 {
   Representation* look = this->GetCurveRepresentation();
   const auto place = look->PlaceAt(this->GetX(), this->GetY());
-  if (!place)
+  if (!place || look->GetNumberOfControlPoints() == 0)
     return true;
   const auto last = look->GetControlPoint(look->GetNumberOfControlPoints() - 1);
   if ((place->point - f2b::Vec3(last.data())).norm() < FreehandSpacingMm)
@@ -119,19 +144,14 @@ bool vtkFaceToBoneCurveWidget::Release()
 {
   this->WidgetState = Start;
   this->GetCurveRepresentation()->HideLength();
+  if (!this->Drawing)
+    this->InvokeEvent(vtkCommand::EndInteractionEvent);
   return true;
 }
 
 bool vtkFaceToBoneCurveWidget::TakeBack()
 {
-  Representation* look = this->GetCurveRepresentation();
-  if (look->GetNumberOfControlPoints() > this->CountBefore)
-    while (look->GetNumberOfControlPoints() > this->CountBefore)
-      look->RemoveLastControlPoint();
-  else
-    look->MoveControlPoint(this->Held, *this->PlaceBefore);
-  if (look->GetClosed() && !this->ClosedBefore)
-    look->Open();
+  this->GetCurveRepresentation()->GoBack(*this->Before);
   this->Changed();
   return this->Release();
 }
@@ -139,7 +159,7 @@ bool vtkFaceToBoneCurveWidget::TakeBack()
 bool vtkFaceToBoneCurveWidget::RemoveLast()
 {
   Representation* look = this->GetCurveRepresentation();
-  if (look->GetNumberOfControlPoints() == 0)
+  if (!this->Drawing || look->GetNumberOfControlPoints() == 0)
     return false;
   look->RemoveLastControlPoint();
   this->Changed();
@@ -149,7 +169,7 @@ bool vtkFaceToBoneCurveWidget::RemoveLast()
 
 bool vtkFaceToBoneCurveWidget::Finish()
 {
-  if (this->GetCurveRepresentation()->GetNumberOfControlPoints() < 2)
+  if (!this->Drawing || this->GetCurveRepresentation()->GetNumberOfControlPoints() < 2)
     return false;
   this->InvokeEvent(vtkCommand::EndInteractionEvent);
   return true;

@@ -32,16 +32,6 @@ f2b::Vec3 ToVector(const Point& p)
   return {p[0], p[1], p[2]};
 }
 
-/// Distance of a pixel from a piece of a line on the screen.
-double Away(const Point& a, const Point& b, double x, double y)
-{
-  const double dx = b[0] - a[0], dy = b[1] - a[1];
-  const double squared = dx * dx + dy * dy;
-  double t = squared > 0 ? ((x - a[0]) * dx + (y - a[1]) * dy) / squared : 0;
-  t = std::min(1.0, std::max(0.0, t));
-  return std::hypot(a[0] + t * dx - x, a[1] + t * dy - y);
-}
-
 } // namespace
 
 vtkFaceToBoneFragmentRepresentation::vtkFaceToBoneFragmentRepresentation()
@@ -77,6 +67,17 @@ void vtkFaceToBoneFragmentRepresentation::SetLocked(int coordinate, bool locked)
   this->Locked[Index(coordinate)] = locked;
   this->Draw();
   this->Modified();
+}
+
+void vtkFaceToBoneFragmentRepresentation::SetLimits(int coordinate, double least, double most)
+{
+  this->Limits[Index(coordinate)] = {least, most};
+}
+
+double vtkFaceToBoneFragmentRepresentation::Within(int coordinate, double value) const
+{
+  const auto& [least, most] = this->Limits[Index(coordinate)];
+  return std::max(least, std::min(most, value));
 }
 
 auto vtkFaceToBoneFragmentRepresentation::MovedPoint() const -> Point
@@ -166,7 +167,8 @@ int vtkFaceToBoneFragmentRepresentation::CoordinateAt(double x, double y)
     const std::vector<Point> line = this->Line(k);
     for (std::size_t i = 1; i < line.size(); ++i)
     {
-      const double away = Away(this->ToDisplay(line[i - 1]), this->ToDisplay(line[i]), x, y);
+      const double away =
+          PixelsFromPiece(this->ToDisplay(line[i - 1]), this->ToDisplay(line[i]), x, y);
       if (away < nearest)
       {
         nearest = away;

@@ -31,6 +31,10 @@ public:
   const Coordinates& GetMovement() const { return this->Movement; }
   void SetLocked(int coordinate, bool locked);
   bool IsLocked(int coordinate) const { return this->Locked[Index(coordinate)]; }
+  static constexpr double MostMm = 40, MostDegrees = 45; ///< either way, where no rule says less
+  void SetLimits(int coordinate, double least, double most);
+  /// The value nearest to a wish that the limits allow.
+  double Within(int coordinate, double value) const;
 
   Point MovedPoint() const;
   /// The axis that a coordinate moves along or turns about, at present.
@@ -60,6 +64,12 @@ private:
   Point ReferencePoint{};
   Coordinates Movement{};
   std::array<bool, 6> Locked{};
+  std::array<std::array<double, 2>, 6> Limits{{{-MostMm, MostMm},
+                                               {-MostMm, MostMm},
+                                               {-MostMm, MostMm},
+                                               {-MostDegrees, MostDegrees},
+                                               {-MostDegrees, MostDegrees},
+                                               {-MostDegrees, MostDegrees}}};
   double Size = 35;
   int Highlighted = None;
   std::array<vtkSmartPointer<vtkPolyData>, 6> Lines;

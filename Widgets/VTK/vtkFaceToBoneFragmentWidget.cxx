@@ -5,7 +5,6 @@
 #include <vtkCommand.h>
 #include <vtkObjectFactory.h>
 
-#include <algorithm>
 #include <cmath>
 
 vtkStandardNewMacro(vtkFaceToBoneFragmentWidget);
@@ -105,11 +104,11 @@ bool vtkFaceToBoneFragmentWidget::Move()
   if (!this->Reach(change))
     return true;
   const auto k = static_cast<std::size_t>(this->Held);
-  const double most = k < 3 ? MostMm : MostDegrees;
   Representation::Coordinates movement = this->Before;
-  movement[k] = std::clamp(movement[k] + change, -most, most);
+  movement[k] += change;
   if (this->IsControlDown())
     movement[k] = 0.5 * std::round(2 * movement[k]);
+  movement[k] = look->Within(this->Held, movement[k]);
   look->SetMovement(movement);
   look->ShowMovement(this->GetX(), this->GetY());
   this->InvokeEvent(vtkCommand::InteractionEvent);

@@ -16,7 +16,7 @@
 /// | Dragging | left release               | lets go -> Start                                     |
 /// | Dragging | key Escape, right press    | as before the press -> Start                         |
 ///
-/// Locked coordinates cannot be taken hold of. Invokes StartInteractionEvent, InteractionEvent (the
+/// Locked coordinates cannot be taken hold of, others do not leave the representation's limits. Invokes StartInteractionEvent, InteractionEvent (the
 /// movement has changed), EndInteractionEvent.
 class vtkFaceToBoneFragmentWidget : public vtkFaceToBoneToolWidget
 {
@@ -29,7 +29,6 @@ public:
   {
     Dragging = Start + 1,
   };
-  static constexpr double MostMm = 40, MostDegrees = 45; ///< either way
 
   void SetRepresentation(vtkFaceToBoneFragmentRepresentation* representation);
   void CreateDefaultRepresentation() override;

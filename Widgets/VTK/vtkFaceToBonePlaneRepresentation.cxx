@@ -58,20 +58,6 @@ void DrawSlab(vtkPolyData* data, const f2b::BoundedPlane& plane, double kerf)
   data->SetPolys(quads);
 }
 
-void DrawPoints(vtkPolyData* data, const std::vector<Point>& at)
-{
-  vtkNew<vtkPoints> points;
-  vtkNew<vtkCellArray> vertices;
-  for (const Point& p : at)
-  {
-    vertices->InsertNextCell(1);
-    vertices->InsertCellPoint(points->InsertNextPoint(p.data()));
-  }
-  data->Initialize();
-  data->SetPoints(points);
-  data->SetVerts(vertices);
-}
-
 } // namespace
 
 vtkFaceToBonePlaneRepresentation::vtkFaceToBonePlaneRepresentation()
@@ -80,18 +66,12 @@ vtkFaceToBonePlaneRepresentation::vtkFaceToBonePlaneRepresentation()
       Chosen(vtkSmartPointer<vtkPolyData>::New()), Arrow(vtkSmartPointer<vtkPolyData>::New())
 {
   const Point red{0.72, 0.05, 0.27};
-  vtkProperty* slab = this->AddActor(this->Slab, red)->GetProperty();
-  slab->SetOpacity(0.3);
-  this->AddActor(this->Outline, red, 2.5)->GetProperty()->LightingOff();
+  this->Coloured = {this->AddActor(this->Slab, red)->GetProperty(),
+                    this->AddActor(this->Outline, red, 2.5)->GetProperty()};
+  this->Coloured[0]->SetOpacity(0.3);
+  this->Coloured[1]->LightingOff();
   this->AddActor(this->Arrow, {0.1, 0.1, 0.12}, 2.5)->GetProperty()->LightingOff();
-  vtkProperty* ball = this->AddActor(this->Balls, {0.1, 0.1, 0.12})->GetProperty();
-  vtkProperty* chosen = this->AddActor(this->Chosen, {1, 0.75, 0.1})->GetProperty();
-  for (vtkProperty* look : {ball, chosen})
-  {
-    look->SetPointSize(look == ball ? 11.f : 15.f);
-    look->RenderPointsAsSpheresOn();
-    look->SetAmbient(0.4);
-  }
+  this->MakeBalls(this->Balls, this->Chosen);
   this->Draw();
 }
 
@@ -109,6 +89,20 @@ void vtkFaceToBonePlaneRepresentation::SetKerf(double mm)
   this->Kerf = mm;
   this->Draw();
   this->Modified();
+}
+
+void vtkFaceToBonePlaneRepresentation::SetColour(const Point& colour)
+{
+  for (vtkProperty* look : this->Coloured)
+    look->SetColor(colour[0], colour[1], colour[2]);
+}
+
+void vtkFaceToBonePlaneRepresentation::SetHandlesShown(bool shown)
+{
+  this->HandlesShown = shown;
+  this->Highlighted = None;
+  this->Coloured[0]->SetOpacity(shown ? 0.3 : 0.15);
+  this->Draw();
 }
 
 auto vtkFaceToBonePlaneRepresentation::HandlePosition(Handle handle) const -> Point
@@ -138,14 +132,19 @@ void vtkFaceToBonePlaneRepresentation::Draw()
   for (int i = 0; i < 4; ++i)
     corners.push_back(ToPoint(Corner(*this->Plane, i, 0)));
   SetPolyline(this->Outline, corners, true);
-  SetPolyline(this->Arrow, {this->HandlePosition(Centre), this->HandlePosition(Normal)}, false);
-  for (const Handle handle : balls)
-    at.push_back(this->HandlePosition(handle));
-  DrawPoints(this->Balls, at);
+  if (this->HandlesShown)
+  {
+    for (const Handle handle : balls)
+      at.push_back(this->HandlePosition(handle));
+    SetPolyline(this->Arrow, {this->HandlePosition(Centre), this->HandlePosition(Normal)}, false);
+  }
+  else
+    SetPolyline(this->Arrow, {}, false);
+  SetPoints(this->Balls, at);
   at.clear();
   if (this->Highlighted > Face)
     at.push_back(this->HandlePosition(this->Highlighted));
-  DrawPoints(this->Chosen, at);
+  SetPoints(this->Chosen, at);
 }
 
 f2b::LineOfSight vtkFaceToBonePlaneRepresentation::LineAt(double x, double y)
@@ -157,6 +156,8 @@ f2b::LineOfSight vtkFaceToBonePlaneRepresentation::LineAt(double x, double y)
 
 auto vtkFaceToBonePlaneRepresentation::HandleAt(double x, double y) -> Handle
 {
+  if (!this->HandlesShown)
+    return None;
   Handle found = None;
   double nearest = nearPixels;
   for (const Handle handle : balls)

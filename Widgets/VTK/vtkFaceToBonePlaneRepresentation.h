@@ -5,6 +5,7 @@
 
 #include <memory>
 
+class vtkProperty;
 namespace f2b
 {
 struct BoundedPlane;
@@ -40,6 +41,9 @@ public:
   const f2b::BoundedPlane& GetPlane() const { return *this->Plane; }
   void SetKerf(double mm);
   vtkGetMacro(Kerf, double);
+  void SetColour(const Point& colour);
+  /// Without handles a cut is only looked at, and drawn fainter.
+  void SetHandlesShown(bool shown);
 
   /// The handle under a pixel.
   Handle HandleAt(double x, double y);
@@ -63,6 +67,8 @@ private:
 
   std::unique_ptr<f2b::BoundedPlane> Plane;
   double Kerf = 1;
+  bool HandlesShown = true;
+  std::array<vtkProperty*, 2> Coloured{};
   Handle Highlighted = None;
   vtkSmartPointer<vtkPolyData> Slab, Outline, Balls, Chosen, Arrow;
 };

@@ -69,6 +69,42 @@ void vtkFaceToBoneToolRepresentation::SetPolyline(vtkPolyData* data,
   data->SetLines(lines);
 }
 
+void vtkFaceToBoneToolRepresentation::SetPoints(vtkPolyData* data, const std::vector<Point>& at)
+{
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> vertices;
+  for (const Point& p : at)
+  {
+    vertices->InsertNextCell(1);
+    vertices->InsertCellPoint(points->InsertNextPoint(p.data()));
+  }
+  data->Initialize();
+  data->SetPoints(points);
+  data->SetVerts(vertices);
+}
+
+double vtkFaceToBoneToolRepresentation::PixelsFromPiece(const Point& a, const Point& b, double x,
+                                                        double y)
+{
+  const double dx = b[0] - a[0], dy = b[1] - a[1];
+  const double squared = dx * dx + dy * dy;
+  double t = squared > 0 ? ((x - a[0]) * dx + (y - a[1]) * dy) / squared : 0;
+  t = std::min(1.0, std::max(0.0, t));
+  return std::hypot(a[0] + t * dx - x, a[1] + t * dy - y);
+}
+
+void vtkFaceToBoneToolRepresentation::MakeBalls(vtkPolyData* balls, vtkPolyData* chosen)
+{
+  vtkProperty* ball = this->AddActor(balls, {0.1, 0.1, 0.12})->GetProperty();
+  vtkProperty* other = this->AddActor(chosen, {1, 0.75, 0.1})->GetProperty();
+  for (vtkProperty* look : {ball, other})
+  {
+    look->SetPointSize(look == ball ? 11.f : 15.f);
+    look->RenderPointsAsSpheresOn();
+    look->SetAmbient(0.4);
+  }
+}
+
 auto vtkFaceToBoneToolRepresentation::GetRay(double x, double y) -> Ray
 {
   Point ends[2];

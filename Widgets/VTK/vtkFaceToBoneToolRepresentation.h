@@ -55,6 +55,11 @@ protected:
   vtkActor* AddActor(vtkPolyData* shown, const Point& colour, double lineWidth = 2);
   void SetReadout(const std::string& text, double x, double y);
   static void SetPolyline(vtkPolyData* data, const std::vector<Point>& points, bool closed);
+  static void SetPoints(vtkPolyData* data, const std::vector<Point>& points);
+  /// Distance of a pixel from a piece of a line on the screen.
+  static double PixelsFromPiece(const Point& a, const Point& b, double x, double y);
+  /// Balls that can be taken hold of: dark, and one that is chosen.
+  void MakeBalls(vtkPolyData* balls, vtkPolyData* chosen);
 
 private:
   vtkFaceToBoneToolRepresentation(const vtkFaceToBoneToolRepresentation&) = delete;
