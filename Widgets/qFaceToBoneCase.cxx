@@ -11,6 +11,7 @@
 
 #include <QCoreApplication>
 #include <QDir>
+#include <QFile>
 #include <QFileInfo>
 #include <QLocale>
 #include <QProcess>
@@ -96,6 +97,9 @@ qFaceToBoneCase::qFaceToBoneCase(QObject* parent)
 {
   connect(&m_task, &qFaceToBoneTask::ended, this, &qFaceToBoneCase::changed);
   connect(&m_task, &qFaceToBoneTask::started, this, &qFaceToBoneCase::changed);
+  connect(&m_cuts, &qFaceToBoneCuts::changed, this, &qFaceToBoneCase::showSpared);
+  connect(&m_cuts, &qFaceToBoneCuts::changed, this, &qFaceToBoneCase::changed);
+  connect(&m_cuts, &qFaceToBoneCuts::rulesChanged, this, &qFaceToBoneCase::obeyRules);
   connect(&m_background, &qFaceToBoneTask::ended, this,
           [this]
           {
@@ -204,6 +208,7 @@ vtkImageData* qFaceToBoneCase::ct() const
 void qFaceToBoneCase::close()
 {
   saveSculpted();
+  saveCuts();
   m_background.cancel();
   m_solveAgain = m_prepareAgain = false;
   ++m_generation;
@@ -215,6 +220,8 @@ void qFaceToBoneCase::close()
   m_plan.reset();
   m_fragments.clear();
   m_notes.clear();
+  m_cuts.clear();
+  m_bone = nullptr;
   m_objects.clear();
   emit loaded();
   emit changed();
@@ -245,8 +252,16 @@ void qFaceToBoneCase::load(bool meshIsNew)
   if (has("case.json"))
   {
     m_document->source = file("case.json");
-    m_document->json = f2b::read_json(m_document->source);
+    m_document->json =
+        f2b::with_absolute_paths(f2b::read_json(m_document->source), m_document->source);
   }
+  if (meshIsNew)
+  {
+    m_bone = nullptr;
+    readCuts();
+  }
+  else
+    m_cuts.keep();
   m_document->landmarks.clear();
   if (has("landmarks.mrk.json"))
     m_document->landmarks = f2b::read_landmarks(file("landmarks.mrk.json"));
@@ -258,7 +273,6 @@ void qFaceToBoneCase::load(bool meshIsNew)
                 false);
     loadSculpting();
     loadCuts();
-    placeCutPlanes();
     findRides();
     loadPlan();
     if (meshIsNew && has("mesh.vtu") && has("cut.json"))
@@ -285,7 +299,6 @@ void qFaceToBoneCase::loadCuts()
   m_objects.remove("bone");
   showSurface("uncut", tr("Bone that stays"), f2b::read_surface(file("uncut_bone.vtp")),
               {236, 222, 186});
-  static const QColor colours[] = {{230, 159, 0}, {86, 180, 233}, {0, 158, 115}, {204, 121, 167}};
   const nlohmann::json cut = f2b::read_json(file("cut.json"));
   for (const auto& fragment : cut.at("fragments"))
   {
@@ -294,7 +307,7 @@ void qFaceToBoneCase::loadCuts()
     showSurface(
         "fragment/" + text, text,
         f2b::read_surface(file(("fragment_" + f2b::file_part(fragmentName) + ".vtp").c_str())),
-        colours[m_fragments.size() % 4]);
+        qFaceToBoneCuts::colour(static_cast<int>(m_fragments.size())));
     m_fragments.push_back(text);
   }
 }
@@ -323,12 +336,13 @@ qFaceToBoneCase::StepState qFaceToBoneCase::state(Step step) const
     s.action = s.done ? tr("Again") : tr("Find");
     return s;
   case Cuts:
-    s.done = has("cut.json") && has("mesh.json");
-    s.possible = idle && has("skin.vtp");
-    s.text = s.done ? tr("%1 fragment(s), tissue meshed").arg(m_fragments.size())
-                    : tr("Needs surfaces, then landmarks");
-    if (!s.done && s.possible)
-      s.text = tr("Template %1 is ready to cut").arg(cutTemplate());
+    s.done = has("cut.json") && has("mesh.json") && !m_cuts.isMoved();
+    s.possible = idle && has("skin.vtp") && m_cuts.count() > 0;
+    s.text = s.done                ? tr("%1 fragment(s), tissue meshed").arg(m_fragments.size())
+             : !has("skin.vtp")    ? tr("Needs surfaces, then landmarks")
+             : m_cuts.count() == 0 ? tr("Add a cut: a template, a plane or a line")
+             : has("cut.json")     ? tr("Changed since the bone was cut")
+                                   : tr("%1 cut(s) ready").arg(m_cuts.count());
     s.action = s.done ? tr("Again") : tr("Cut");
     return s;
   case Target:
@@ -361,10 +375,9 @@ qFaceToBoneCase::StepState qFaceToBoneCase::state(Step step) const
 }
 
 /// What runs in the other thread: knows the folder and a copy of the settings, nothing of ours.
-qFaceToBoneTask::Work qFaceToBoneCase::work(Step step) const
+qFaceToBoneTask::Work qFaceToBoneCase::work(Step step, const nlohmann::json& document) const
 {
   const std::string folder = m_folder.toStdString(), source = m_document->source;
-  const nlohmann::json document = m_document->json;
   const auto inUse = m_folderInUse;
   if (step == Surfaces)
     return [=](const Progress& progress)
@@ -418,12 +431,19 @@ bool qFaceToBoneCase::start(Step step)
     const double mask = target.value("mask_mm", 1.0);
     target = {{"mesh", file(sculptedFileName)}, {"mask_mm", mask}};
   }
-  if (step == Cuts && !attempt([this] { keepCutPlanes(); }))
+  nlohmann::json document;
+  if (!attempt([&] { document = documentFor(step); }) || !saveCuts())
     return false;
   if (step <= Cuts) // the mesh goes, and what is kept of it in memory
   {
     m_background.cancel();
     m_live.reset();
   }
-  return m_task.start(tr(titles[step]), work(step), [this, step] { load(step <= Cuts); });
+  return m_task.start(tr(titles[step]), work(step, document),
+                      [this, step]
+                      {
+                        if (step <= Cuts) // they are the case's own now
+                          QFile::remove(QDir(m_folder).filePath(unfinishedCutsFileName));
+                        load(step <= Cuts);
+                      });
 }

@@ -1,10 +1,13 @@
 #ifndef qFaceToBoneCase_h
 #define qFaceToBoneCase_h
 
+#include "qFaceToBoneCuts.h"
 #include "qFaceToBoneObjects.h"
 #include "qFaceToBoneTask.h"
 
 #include <vtkSmartPointer.h>
+
+#include <nlohmann/json_fwd.hpp>
 
 #include <array>
 #include <memory>
@@ -16,7 +19,6 @@ namespace f2b
 {
 class LivePlan;
 class SculptingSession;
-struct BoundedPlane;
 struct FollowedPlan;
 struct SymmetryPlane;
 } // namespace f2b
@@ -92,19 +94,11 @@ public:
   vtkImageData* ct() const;
 
   // the cuts
-  QStringList templates() const;
-  QString cutTemplate() const;
-  /// Takes effect with the next cut.
-  void setCutTemplate(const QString& name);
-  double kerf() const;
-  void setKerf(double mm);
-  /// The planes that the saw cuts along: the template's, until they are moved.
-  const std::vector<f2b::BoundedPlane>& cutPlanes() const;
-  std::size_t cutPlaneCount() const;
-  void setCutPlane(std::size_t index, const f2b::BoundedPlane& plane);
-  /// A level plane through a point [mm, RAS].
-  void addCutPlane(const std::array<double, 3>& at);
-  void removeCutPlane(std::size_t index);
+  qFaceToBoneCuts* cuts() { return &m_cuts; }
+  /// The bone before any cut; null before the surfaces are there.
+  vtkPolyData* bone();
+  /// Keeps cuts that are being worked on in the case folder, if they have changed.
+  bool saveCuts();
   double meshDensity() const;
   void setMeshDensity(double density);
 
@@ -133,8 +127,9 @@ public:
   std::array<double, 3> referencePoint(const QString& fragment) const;
   /// How far along the planned movement fragments are shown: 0 at rest, 1 as planned.
   void setMovementShown(double share);
-  /// Moves a fragment by hand; the face follows when the equilibrium has been solved.
-  void setMovement(const Movement& movement);
+  /// Moves a fragment by hand, as far as its rules allow; the face follows when the equilibrium has
+  /// been solved.
+  void setMovement(const Movement& wished);
   QStringList planNotes() const { return m_notes; }
   /// A sentence on where the movements shown come from and what they leave of the target.
   QString planText() const;
@@ -148,7 +143,6 @@ signals:
   void loaded();  ///< another case, or its surfaces
   void skinChanged();
   void planChanged();
-  void cutPlanesChanged(); ///< there are others, or a template has placed them anew
 
 private:
   using Path = std::string;
@@ -160,8 +154,12 @@ private:
   void loadSculpting();
   void loadCuts();
   void loadPlan();
-  void placeCutPlanes();
-  void keepCutPlanes();
+  void readCuts();
+  void showSpared();
+  void obeyRules();
+  Movement allowed(Movement movement) const;
+  void requireCuts() const;
+  nlohmann::json documentFor(Step step) const;
   void findRides();
   void prepareLive();
   void showPlan(const f2b::FollowedPlan& plan);
@@ -172,7 +170,7 @@ private:
   void predictInBackground();
   bool has(const char* file) const;
   Path file(const char* name) const;
-  qFaceToBoneTask::Work work(Step step) const;
+  qFaceToBoneTask::Work work(Step step, const nlohmann::json& document) const;
 
   /// What a landmark moves with: a vertex of the skin, or a fragment.
   struct Ride
@@ -187,6 +185,8 @@ private:
   std::shared_ptr<std::mutex> m_folderInUse = std::make_shared<std::mutex>();
   QString m_folder, m_error;
   qFaceToBoneObjects m_objects;
+  qFaceToBoneCuts m_cuts;
+  vtkSmartPointer<vtkPolyData> m_bone;
   vtkSmartPointer<vtkImageData> m_ct;
   std::shared_ptr<f2b::SculptingSession> m_sculpting;
   long m_savedRevision = 0;

@@ -1,49 +1,16 @@
 #include "qFaceToBoneCaseDocument.h"
+#include "qFaceToBoneCut.h"
 
-#include <Bridge/markups.hpp>
-#include <Case/case_folder.hpp>
+#include <Bridge/json_file.hpp>
+#include <Bridge/vtk_surface.hpp>
+#include <Case/case_settings.hpp>
+#include <Case/settings_paths.hpp>
 #include <Core/error.hpp>
-#include <Core/geometry/osteotomy_templates.hpp>
 
-QStringList qFaceToBoneCase::templates() const
-{
-  QStringList names;
-  for (const std::string& name : f2b::osteotomy_template_names())
-    names << QString::fromStdString(name);
-  return names;
-}
+#include <QDir>
+#include <QFile>
 
-QString qFaceToBoneCase::cutTemplate() const
-{
-  return isOpen() ? QString::fromStdString(m_document->osteotomy().value("template", std::string()))
-                  : QString();
-}
-
-void qFaceToBoneCase::setCutTemplate(const QString& name)
-{
-  if (!isOpen() || name == cutTemplate())
-    return;
-  nlohmann::json& osteotomy = m_document->osteotomy();
-  osteotomy = {{"fragment", name == "le-fort-3"     ? "mid-face"
-                            : name == "le-fort-1"   ? "maxilla"
-                            : name == "genioplasty" ? "chin"
-                                                    : "mandible"},
-               {"template", name.toStdString()},
-               {"kerf_mm", osteotomy.value("kerf_mm", 1.0)}};
-  placeCutPlanes();
-  emit changed();
-}
-
-double qFaceToBoneCase::kerf() const
-{
-  return isOpen() ? m_document->osteotomy().value("kerf_mm", 1.0) : 1.0;
-}
-
-void qFaceToBoneCase::setKerf(double mm)
-{
-  if (isOpen())
-    m_document->osteotomy()["kerf_mm"] = mm;
-}
+#include <vtkPolyData.h>
 
 double qFaceToBoneCase::meshDensity() const
 {
@@ -57,88 +24,124 @@ void qFaceToBoneCase::setMeshDensity(double density)
     m_document->json["mesh"]["density"] = density;
 }
 
-const std::vector<f2b::BoundedPlane>& qFaceToBoneCase::cutPlanes() const
+vtkPolyData* qFaceToBoneCase::bone()
 {
-  return m_document->planes;
+  if (!m_bone && has("bone.vtp"))
+    attempt([this] { m_bone = f2b::read_surface(file("bone.vtp")); });
+  return m_bone;
 }
 
-std::size_t qFaceToBoneCase::cutPlaneCount() const
+/// The case's cuts, or those that were left unfinished. Drawings that nothing needs any more go.
+void qFaceToBoneCase::readCuts()
 {
-  return m_document->planes.size();
-}
-
-/// Where the case's template or its files put the planes.
-void qFaceToBoneCase::placeCutPlanes()
-{
-  Document& d = *m_document;
-  d.planes.clear();
-  d.planesEdited = false;
-  const bool placed = attempt(
-      [&]
+  const bool read = attempt(
+      [this]
       {
-        const nlohmann::json& osteotomy = d.osteotomy();
-        if (osteotomy.contains("template"))
+        const nlohmann::json& document = m_document->json;
+        const std::string landmarks = has("landmarks.mrk.json")
+                                          ? file("landmarks.mrk.json")
+                                          : document.value("landmarks", std::string());
+        nlohmann::json unfinished;
+        if (has(unfinishedCutsFileName))
+          unfinished = f2b::with_absolute_paths(f2b::read_json(file(unfinishedCutsFileName)),
+                                                file(unfinishedCutsFileName));
+        m_cuts.load(document, unfinished, landmarks);
+        const QString used = QString::fromStdString(document.dump() + unfinished.dump());
+        for (const QString& drawn : QDir(m_folder).entryList({"drawn_*.mrk.json"}, QDir::Files))
+          if (!used.contains(drawn))
+            QFile::remove(QDir(m_folder).filePath(drawn));
+      });
+  if (!read)
+    m_cuts.clear();
+}
+
+bool qFaceToBoneCase::saveCuts()
+{
+  if (!isOpen() || !QDir(m_folder).exists())
+    return true;
+  return attempt(
+      [this]
+      {
+        const std::string path = file(unfinishedCutsFileName), aside = path + ".part";
+        if (!m_cuts.isChanged())
         {
-          const f2b::Osteotomy found = f2b::osteotomy_from_template(
-              osteotomy.at("template").get<std::string>(),
-              osteotomy.at("fragment").get<std::string>(), d.landmarks, kerf());
-          d.planes = found.planes;
-          d.fragmentPoint = found.fragment_point;
+          QFile::remove(QString::fromStdString(path));
           return;
         }
-        for (const auto& path : osteotomy.at("planes"))
-          for (const f2b::BoundedPlane& plane : f2b::read_planes(path.get<std::string>()))
-            d.planes.push_back(plane);
-        const nlohmann::json& point = osteotomy.at("fragment_point_ras");
-        for (int k = 0; k < 3; ++k)
-          d.fragmentPoint[k] = point.at(static_cast<std::size_t>(k)).get<double>();
+        const nlohmann::json unfinished = {
+            {"osteotomies", m_cuts.osteotomies(m_folder.toStdString())},
+            {"protected", m_cuts.spared()}};
+        f2b::write_json(aside, f2b::with_folder_paths(unfinished, m_folder.toStdString()));
+        std::filesystem::rename(aside, path);
       });
-  if (!placed)
-    m_notes << m_error;
-  emit cutPlanesChanged();
 }
 
-void qFaceToBoneCase::setCutPlane(std::size_t index, const f2b::BoundedPlane& plane)
+void qFaceToBoneCase::requireCuts() const
 {
-  if (index >= m_document->planes.size())
-    return;
-  m_document->planes[index] = plane;
-  m_document->planesEdited = true;
+  if (m_cuts.count() == 0)
+    throw f2b::Error("cuts", "there is none", "add a cut: a template, a plane or a line");
+  for (const qFaceToBoneCut& cut : m_cuts.all())
+  {
+    if (!cut.problem.empty())
+      throw std::runtime_error(cut.problem);
+    if (cut.planes.empty() && cut.curves.empty())
+      throw f2b::Error("cut '" + cut.fragment + "'", "there is nothing to cut along",
+                       "add a plane or a line to it, or remove it");
+    for (const qFaceToBoneCutCurve& curve : cut.curves)
+      f2b::require_swept(curve.saw, cut.kerf);
+  }
 }
 
-void qFaceToBoneCase::addCutPlane(const std::array<double, 3>& at)
+/// What a step works by: the cuts as they are now where it cuts, else those that the mesh was made
+/// by, with the rules of now.
+nlohmann::json qFaceToBoneCase::documentFor(Step step) const
 {
-  f2b::BoundedPlane plane;
-  plane.name = "plane " + std::to_string(m_document->planes.size() + 1);
-  plane.center = {at[0], at[1], at[2]};
-  plane.half_u = plane.half_v = 30;
-  m_document->planes.push_back(plane);
-  m_document->planesEdited = true;
-  emit cutPlanesChanged();
+  nlohmann::json document = m_document->json;
+  if (step <= Cuts)
+  {
+    if (step == Cuts)
+      requireCuts();
+    if (m_cuts.count() > 0)
+    {
+      QDir().mkpath(m_folder);
+      document["osteotomies"] = m_cuts.osteotomies(m_folder.toStdString());
+    }
+    document.erase("protected");
+    if (!m_cuts.spared().empty())
+      document["protected"] = m_cuts.spared();
+    return document;
+  }
+  for (nlohmann::json& osteotomy : document["osteotomies"])
+    for (const QString& fragment : m_fragments)
+    {
+      if (osteotomy.value("fragment", std::string()) != fragment.toStdString())
+        continue;
+      const nlohmann::json movement = m_cuts.movementOf(fragment.toStdString());
+      osteotomy.erase("movement");
+      if (!movement.is_null())
+        osteotomy["movement"] = movement;
+    }
+  return document;
 }
 
-void qFaceToBoneCase::removeCutPlane(std::size_t index)
+/// Nerves and roots as objects: yellow, red where a cut comes too near.
+void qFaceToBoneCase::showSpared()
 {
-  if (index >= m_document->planes.size())
-    return;
-  m_document->planes.erase(m_document->planes.begin() + static_cast<std::ptrdiff_t>(index));
-  m_document->planesEdited = true;
-  emit cutPlanesChanged();
-}
-
-/// Planes moved by hand become files of the case, which the cut reads.
-void qFaceToBoneCase::keepCutPlanes()
-{
-  Document& d = *m_document;
-  if (!d.planesEdited)
-    return;
-  if (d.planes.empty())
-    throw f2b::Error("cuts", "there is no plane to cut along", "add a plane or choose a template");
-  nlohmann::json& osteotomy = d.osteotomy();
-  const std::string path = file(drawnPlanesFileName);
-  f2b::write_planes(path, d.planes);
-  osteotomy.erase("template");
-  osteotomy["planes"] = {path};
-  osteotomy["fragment_point_ras"] = {d.fragmentPoint.x(), d.fragmentPoint.y(), d.fragmentPoint.z()};
-  d.planesEdited = false;
+  std::vector<QString> gone;
+  for (const qFaceToBoneObject& o : m_objects.all())
+    if (o.key.startsWith("protected/"))
+      gone.push_back(o.key);
+  for (const qFaceToBoneCuts::Clearance& c : m_cuts.clearances())
+  {
+    const QString key = "protected/" + c.name;
+    if (!c.surface)
+      continue;
+    const qFaceToBoneObject* there = m_objects.find(key);
+    if (!there || there->surface != c.surface)
+      showSurface(key, c.name, c.surface, {245, 205, 20});
+    m_objects.setColour(key, c.near ? QColor(225, 25, 30) : QColor(245, 205, 20));
+    gone.erase(std::remove(gone.begin(), gone.end(), key), gone.end());
+  }
+  for (const QString& key : gone)
+    m_objects.remove(key);
 }

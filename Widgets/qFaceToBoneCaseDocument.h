@@ -12,18 +12,13 @@ struct qFaceToBoneCase::Document
 {
   nlohmann::json json;
   std::string source;
-  f2b::Landmarks landmarks;              ///< at rest; empty where the case has none
-  std::vector<f2b::BoundedPlane> planes; ///< of the cut as they lie now
-  f2b::Vec3 fragmentPoint = f2b::Vec3::Zero();
-  bool planesEdited = false; ///< moved by hand since the template placed them
-
-  nlohmann::json& osteotomy() { return json.at("osteotomies").at(0); }
+  f2b::Landmarks landmarks; ///< at rest; empty where the case has none
 };
 
-/// Files of the desktop's own in the case folder: the face that is being sculpted, planes moved by
-/// hand.
+/// Files of the desktop's own in the case folder: the face that is being sculpted, and cuts that are
+/// being worked on, beside drawn_*.mrk.json, which are what they are drawn by.
 inline constexpr const char* sculptedFileName = "sculpted.vtp";
-inline constexpr const char* drawnPlanesFileName = "drawn_planes.mrk.json";
+inline constexpr const char* unfinishedCutsFileName = "unfinished_cuts.json";
 
 template <class Action>
 bool qFaceToBoneCase::attempt(Action action)

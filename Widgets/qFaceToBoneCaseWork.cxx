@@ -224,12 +224,15 @@ void qFaceToBoneCase::prepareLive()
   const std::string folder = m_folder.toStdString();
   m_background.start(
       tr("Preparing the live preview"),
-      [made, folder, inUse = m_folderInUse](const f2b::Progress& progress)
+      [made, folder, source = m_document->source, document = documentFor(Plan),
+       inUse = m_folderInUse](const f2b::Progress& progress)
       {
         {
           const std::lock_guard<std::mutex> alone(*inUse);
           progress("reading the mesh", 0);
-          *made = std::make_shared<f2b::LivePlan>(f2b::CaseSession::open(folder));
+          f2b::CaseSession session = f2b::CaseSession::open(folder);
+          session.change_settings(document, source); // rules may be newer than the folder's
+          *made = std::make_shared<f2b::LivePlan>(session);
         }
         (*made)->prepare(progress);
       },
@@ -370,16 +373,49 @@ void qFaceToBoneCase::setMovementShown(double share)
   showFragments();
 }
 
-void qFaceToBoneCase::setMovement(const Movement& movement)
+void qFaceToBoneCase::setMovement(const Movement& wished)
 {
   if (!m_plan)
     return;
+  const Movement movement = allowed(wished);
   for (std::size_t f = 0; f < m_fragments.size() && f < m_plan->motions.size(); ++f)
     if (m_fragments[f] == movement.fragment)
       m_plan->motions[f] = motionOf(movement, m_plan->motions[f].reference_point, 1);
   m_following = false; // the hand leads now, not the brush
   showFragments();
   predictInBackground();
+  emit planChanged();
+}
+
+qFaceToBoneCase::Movement qFaceToBoneCase::allowed(Movement movement) const
+{
+  constexpr double most[] = {40, 45}; // mm, degrees
+  const qFaceToBoneRules rules = m_cuts.rules(movement.fragment);
+  if (!rules.restraint.isEmpty()) // only a plan moves it
+    for (const Movement& now : movements())
+      if (now.fragment == movement.fragment)
+        return now;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    movement.translation[k] = rules.within(k, movement.translation[k], most[0]);
+    movement.rotation[k] = rules.within(k + 3, movement.rotation[k], most[1]);
+  }
+  return movement;
+}
+
+/// What is shown obeys new rules at once; what is planned live, when it has been linearised anew.
+void qFaceToBoneCase::obeyRules()
+{
+  if (m_live)
+    prepareLive();
+  if (!m_plan)
+    return;
+  for (const Movement& now : movements())
+  {
+    const Movement obedient = allowed(now);
+    if (obedient.translation != now.translation || obedient.rotation != now.rotation)
+      setMovement(obedient);
+  }
   emit planChanged();
 }
 

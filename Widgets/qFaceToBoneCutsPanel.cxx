@@ -1,96 +1,443 @@
 #include "qFaceToBoneCutsPanel.h"
 
 #include "qFaceToBoneCase.h"
+#include "qFaceToBoneCut.h"
 #include "qFaceToBoneToolTip.h"
 
 #include <QCheckBox>
-#include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QFileDialog>
 #include <QFormLayout>
+#include <QGroupBox>
+#include <QHBoxLayout>
+#include <QHeaderView>
 #include <QLabel>
+#include <QMenu>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QSlider>
+#include <QToolButton>
+#include <QTreeWidget>
+
+namespace
+{
+
+/// What an item of the list of cuts stands for; part: -1 the whole cut.
+constexpr int cutRole = Qt::UserRole, partRole = Qt::UserRole + 1;
+
+QToolButton* makeButton(const QString& text, const char* name)
+{
+  auto* button = new QToolButton;
+  button->setText(text);
+  button->setObjectName(name);
+  return button;
+}
+
+QTreeWidget* makeTree(const QStringList& heads, const char* name, int height)
+{
+  auto* tree = new QTreeWidget;
+  tree->setObjectName(name);
+  tree->setHeaderLabels(heads);
+  tree->setFixedHeight(height);
+  tree->header()->setStretchLastSection(true);
+  tree->header()->resizeSection(0, 150);
+  tree->setSelectionMode(QAbstractItemView::SingleSelection);
+  return tree;
+}
+
+/// What a cut is made of, in a few words.
+QString wordsOf(const qFaceToBoneCut& cut)
+{
+  if (!cut.problem.empty())
+    return qFaceToBoneCutsPanel::tr("cannot be placed");
+  QString words = cut.templateName.empty()
+                      ? qFaceToBoneCutsPanel::tr("drawn")
+                      : qFaceToBoneCuts::titleOf(QString::fromStdString(cut.templateName));
+  if (cut.drawn && !cut.templateName.empty())
+    words += qFaceToBoneCutsPanel::tr(", moved");
+  return words;
+}
+
+} // namespace
 
 qFaceToBoneCutsPanel::qFaceToBoneCutsPanel(qFaceToBoneCase* work, QWidget* parent)
-    : QWidget(parent), m_case(work), m_planes(new QCheckBox(tr("Show and drag the planes"))),
-      m_template(new QComboBox), m_kerf(new QDoubleSpinBox), m_density(new QDoubleSpinBox),
+    : QWidget(parent), m_case(work), m_cuts(makeTree({tr("Piece"), tr("Cut")}, "cuts", 118)),
+      m_spared(makeTree({tr("Structure"), tr("Nearest cut")}, "spared", 84)),
+      m_add(makeButton(tr("Add"), "addCut")), m_remove(makeButton(tr("Remove"), "removeCut")),
+      m_anew(makeButton(tr("Reset"), "resetCut")), m_undo(makeButton(tr("Undo"), "undoCut")),
+      m_redo(makeButton(tr("Redo"), "redoCut")),
+      m_tools(new QCheckBox(tr("Show and drag the cuts"))), m_kerf(new QDoubleSpinBox),
+      m_depth(new QDoubleSpinBox), m_density(new QDoubleSpinBox),
       m_explode(new QSlider(Qt::Horizontal)), m_fragments(new QLabel)
 {
-  m_template->setToolTip(qFaceToBoneToolTip(tr("Where the bone is cut"), tr("le-fort-1"),
-                                            tr("osteotomy template, placed by landmarks")));
-  for (QWidget* control : {static_cast<QWidget*>(m_template), static_cast<QWidget*>(m_kerf),
-                           static_cast<QWidget*>(m_density)})
-    control->setMinimumWidth(60);
+  m_cuts->setToolTip(qFaceToBoneToolTip(tr("The pieces that are cut free, and what by"),
+                                        tr("Double-click a name to change it"), tr("osteotomies")));
+  m_tools->setObjectName("planes");
+  m_tools->setToolTip(
+      qFaceToBoneToolTip(tr("Cuts with handles in the 3D view; the ball marks the free piece"),
+                         tr("Drag balls, edges, arrows"), tr("bounded planes and swept curves")));
+  m_fragments->setWordWrap(true);
+  auto* form = new QFormLayout(this);
+  form->setContentsMargins(4, 4, 4, 4);
+  form->setVerticalSpacing(4);
+  form->addRow(m_cuts);
+  form->addRow(makeCutButtons());
+  form->addRow(m_drawing = makeDrawingBox());
+  form->addRow(m_tools);
+  makeNumbers(form);
+  form->addRow(makeSparedBox());
+  form->addRow(m_fragments);
+  connectParts();
+  setDrawing(false);
+  update();
+}
+
+QWidget* qFaceToBoneCutsPanel::makeCutButtons()
+{
+  auto* menu = new QMenu(m_add);
+  for (const QString& name : qFaceToBoneCuts::templates())
+    menu->addAction(qFaceToBoneCuts::titleOf(name), this,
+                    [this, name]
+                    {
+                      m_tools->setChecked(true);
+                      if (!m_case->cuts()->addTemplate(name))
+                        emit refused(m_case->cuts()->error());
+                    });
+  menu->addSeparator();
+  const auto plane = [this](bool ofCurrent)
+  {
+    m_tools->setChecked(true);
+    emit planeWanted(ofCurrent);
+  };
+  const auto line = [this](bool ofCurrent)
+  {
+    m_tools->setChecked(true);
+    m_explode->setValue(0); // the pen draws on bone that lies together
+    emit lineWanted(ofCurrent);
+  };
+  menu->addAction(tr("Plane at the crosshair"), this, [plane] { plane(false); });
+  menu->addAction(tr("Line drawn on the bone"), this, [line] { line(false); });
+  menu->addSeparator();
+  menu->addAction(tr("To this cut: one more plane"), this, [plane] { plane(true); });
+  menu->addAction(tr("To this cut: one more line"), this, [line] { line(true); });
+  m_add->setMenu(menu);
+  m_add->setPopupMode(QToolButton::InstantPopup);
+  m_add->setToolTip(qFaceToBoneToolTip(tr("Another piece to be cut free"),
+                                       tr("Template, plane or drawn line"), tr("osteotomy")));
+  m_remove->setToolTip(qFaceToBoneToolTip(tr("Removes the chosen cut, or the chosen part of it"),
+                                          tr("Undo brings it back"), tr("delete")));
+  m_anew->setToolTip(qFaceToBoneToolTip(tr("Puts a template's cut where its landmarks say"),
+                                        tr("After dragging it"), tr("template placement")));
+  m_undo->setToolTip(
+      qFaceToBoneToolTip(tr("Takes the last change of the cuts back"), tr("Ctrl+Z"), tr("undo")));
+  m_redo->setToolTip(qFaceToBoneToolTip(tr("Does it again"), tr("Ctrl+Shift+Z"), tr("redo")));
+  auto* buttons = new QWidget;
+  auto* row = new QHBoxLayout(buttons);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(3);
+  for (QToolButton* button : {m_add, m_remove, m_anew, m_undo, m_redo})
+    row->addWidget(button);
+  row->addStretch(1);
+  return buttons;
+}
+
+QWidget* qFaceToBoneCutsPanel::makeDrawingBox()
+{
+  auto* box = new QGroupBox(tr("Drawing a line"));
+  auto* how = new QLabel(
+      tr("Click along the cut on the bone; with Shift, draw freehand. A click on the first point "
+         "closes the line. Backspace takes the last point back; Return or a double click ends."));
+  how->setWordWrap(true);
+  auto* done = new QPushButton(tr("Done"));
+  auto* drop = new QPushButton(tr("Give up"));
+  done->setObjectName("finishLine");
+  drop->setObjectName("dropLine");
+  done->setToolTip(qFaceToBoneToolTip(tr("The line becomes a cut"), tr("Return"), tr("finish")));
+  drop->setToolTip(qFaceToBoneToolTip(tr("No cut is made of it"), tr("-"), tr("discard")));
+  auto* rows = new QVBoxLayout(box);
+  auto* row = new QHBoxLayout;
+  rows->addWidget(how);
+  rows->addLayout(row);
+  row->addWidget(done);
+  row->addWidget(drop);
+  connect(done, &QPushButton::clicked, this, &qFaceToBoneCutsPanel::lineFinished);
+  connect(drop, &QPushButton::clicked, this, &qFaceToBoneCutsPanel::lineDropped);
+  return box;
+}
+
+void qFaceToBoneCutsPanel::makeNumbers(QFormLayout* form)
+{
+  m_kerf->setObjectName("kerf");
   m_kerf->setRange(0, 5);
   m_kerf->setSingleStep(0.1);
   m_kerf->setSuffix(" mm");
-  m_kerf->setToolTip(
-      qFaceToBoneToolTip(tr("Width of bone that the saw takes"), tr("0.5 to 1 mm"), tr("kerf")));
+  m_kerf->setToolTip(qFaceToBoneToolTip(tr("Width of bone that the saw takes at this cut"),
+                                        tr("0.5 to 1 mm"), tr("kerf")));
+  m_depth->setObjectName("depth");
+  m_depth->setRange(1, 200);
+  m_depth->setSuffix(" mm");
+  m_depth->setToolTip(qFaceToBoneToolTip(tr("How deep the saw goes from this cut's lines"),
+                                         tr("15 to 25 mm; a plane's depth is its size"),
+                                         tr("blade depth")));
   m_density->setRange(0.05, 4);
   m_density->setSingleStep(0.05);
   m_density->setToolTip(qFaceToBoneToolTip(tr("How finely the tissue is meshed"),
                                            tr("0.3 to try out, 1 for the final plan"),
                                            tr("elements, relative to the reference size")));
+  m_explode->setObjectName("explode");
   m_explode->setRange(0, 40);
   m_explode->setToolTip(qFaceToBoneToolTip(tr("Draws the fragments apart, to see the cuts"),
                                            tr("15 mm"), tr("exploded view")));
-  m_fragments->setWordWrap(true);
-  auto* form = new QFormLayout(this);
-  form->setContentsMargins(4, 4, 4, 4);
-  form->addRow(tr("Cut"), m_template);
-  form->addRow(tr("Kerf"), m_kerf);
-  form->addRow(tr("Mesh density"), m_density);
+  for (QWidget* number : {m_kerf, m_depth, m_density})
+    number->setMinimumWidth(60);
+  auto* sizes = new QHBoxLayout;
+  sizes->addWidget(m_kerf, 1);
+  sizes->addWidget(new QLabel(tr("Depth")));
+  sizes->addWidget(m_depth, 1);
+  form->addRow(tr("Kerf"), sizes);
   form->addRow(tr("Explode"), m_explode);
-  m_planes->setObjectName("planes");
-  m_explode->setObjectName("explode");
-  m_planes->setToolTip(qFaceToBoneToolTip(tr("Cut planes with handles in the 3D view"),
-                                          tr("Drag the middle, the edges, the arrow"),
-                                          tr("bounded planes")));
-  auto* add = new QPushButton(tr("Add a plane"));
-  auto* remove = new QPushButton(tr("Remove the last"));
-  add->setToolTip(qFaceToBoneToolTip(tr("A plane through the slices' crosshair"),
-                                     tr("60 x 60 mm, level"), tr("bounded plane")));
-  form->addRow(m_planes);
-  form->addRow(add, remove);
-  form->addRow(m_fragments);
-  connect(m_planes, &QCheckBox::toggled, this, &qFaceToBoneCutsPanel::planesShown);
-  connect(add, &QPushButton::clicked, this,
-          [this]
-          {
-            m_planes->setChecked(true);
-            emit planeWanted();
-          });
+  form->addRow(tr("Mesh density"), m_density);
+}
+
+QWidget* qFaceToBoneCutsPanel::makeSparedBox()
+{
+  auto* box = new QGroupBox(tr("To be spared"));
+  auto* rows = new QVBoxLayout(box);
+  rows->setContentsMargins(4, 4, 4, 4);
+  auto* import = new QPushButton(tr("Import..."));
+  auto* remove = new QPushButton(tr("Remove"));
+  import->setObjectName("importSpared");
+  remove->setObjectName("removeSpared");
+  m_margin = new QDoubleSpinBox;
+  m_margin->setObjectName("margin");
+  m_margin->setRange(0, 50);
+  m_margin->setSuffix(" mm");
+  m_margin->setToolTip(qFaceToBoneToolTip(tr("A cut nearer than this is warned of"), tr("2 mm"),
+                                          tr("safety margin of the chosen structure")));
+  import->setToolTip(qFaceToBoneToolTip(tr("A nerve (Slicer curve) or tooth roots (a model)"),
+                                        tr("nerve_right.mrk.json, roots.vtp"),
+                                        tr("protected structure")));
+  m_spared->setToolTip(qFaceToBoneToolTip(tr("How near the cuts come to what they should spare"),
+                                          tr("Red: within the margin"),
+                                          tr("distance from the kerf's wall")));
+  rows->addWidget(m_spared);
+  auto* row = new QHBoxLayout;
+  row->addWidget(import);
+  row->addWidget(remove);
+  row->addWidget(m_margin);
+  rows->addLayout(row);
+  connect(import, &QPushButton::clicked, this, &qFaceToBoneCutsPanel::chooseSpared);
   connect(remove, &QPushButton::clicked, this,
-          [this] { m_case->removeCutPlane(m_case->cutPlaneCount() - 1); });
-  connect(m_template, QOverload<int>::of(&QComboBox::activated), this,
-          [this](int) { m_case->setCutTemplate(m_template->currentText()); });
-  connect(m_kerf, QOverload<double>::of(&QDoubleSpinBox::valueChanged), m_case,
-          &qFaceToBoneCase::setKerf);
+          [this] {
+            m_case->cuts()->removeSpared(m_spared->indexOfTopLevelItem(m_spared->currentItem()));
+          });
+  connect(m_margin, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this,
+          [this](double mm) {
+            m_case->cuts()->setMargin(m_spared->indexOfTopLevelItem(m_spared->currentItem()), mm);
+          });
+  connect(m_spared, &QTreeWidget::currentItemChanged, this, [this] { updateNumbers(); });
+  return box;
+}
+
+void qFaceToBoneCutsPanel::connectParts()
+{
+  qFaceToBoneCuts* cuts = m_case->cuts();
+  connect(m_tools, &QCheckBox::toggled, this, &qFaceToBoneCutsPanel::toolsShown);
+  connect(m_remove, &QToolButton::clicked, this, &qFaceToBoneCutsPanel::removeChosen);
+  connect(m_anew, &QToolButton::clicked, this,
+          [this, cuts]
+          {
+            if (!cuts->placeAnew(cuts->current()))
+              emit refused(cuts->error());
+          });
+  connect(m_undo, &QToolButton::clicked, cuts, &qFaceToBoneCuts::undo);
+  connect(m_redo, &QToolButton::clicked, cuts, &qFaceToBoneCuts::redo);
+  connect(m_cuts, &QTreeWidget::currentItemChanged, this,
+          [this, cuts](QTreeWidgetItem* item)
+          {
+            if (item && !m_updating)
+              cuts->setCurrent(item->data(0, cutRole).toInt());
+          });
+  connect(m_cuts, &QTreeWidget::itemChanged, this, &qFaceToBoneCutsPanel::renamed);
+  connect(m_kerf, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this,
+          [cuts](double mm) { cuts->setKerf(cuts->current(), mm); });
+  connect(m_depth, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this,
+          [cuts](double mm) { cuts->setDepth(cuts->current(), mm); });
   connect(m_density, QOverload<double>::of(&QDoubleSpinBox::valueChanged), m_case,
           &qFaceToBoneCase::setMeshDensity);
   connect(m_explode, &QSlider::valueChanged, this, &qFaceToBoneCutsPanel::explodeChanged);
   connect(m_case, &qFaceToBoneCase::changed, this, &qFaceToBoneCutsPanel::update);
-  m_template->addItems(m_case->templates());
-  update();
 }
 
-bool qFaceToBoneCutsPanel::showsPlanes() const
+bool qFaceToBoneCutsPanel::showsTools() const
 {
-  return m_planes->isChecked();
+  return m_tools->isChecked();
+}
+
+void qFaceToBoneCutsPanel::setDrawing(bool on)
+{
+  m_drawing->setVisible(on);
+  for (QWidget* other : {static_cast<QWidget*>(m_cuts), static_cast<QWidget*>(m_add),
+                         static_cast<QWidget*>(m_remove), static_cast<QWidget*>(m_anew)})
+    other->setEnabled(!on);
+}
+
+void qFaceToBoneCutsPanel::renamed(QTreeWidgetItem* item)
+{
+  if (m_updating)
+    return;
+  qFaceToBoneCuts* cuts = m_case->cuts();
+  const int cut = item->data(0, cutRole).toInt();
+  const QString name = item->text(0);
+  // the list may be made anew: not while one of its items is speaking
+  QMetaObject::invokeMethod(
+      this,
+      [this, cuts, cut, name]
+      {
+        if (cuts->rename(cut, name))
+          return;
+        emit refused(cuts->error());
+        update();
+      },
+      Qt::QueuedConnection);
+}
+
+void qFaceToBoneCutsPanel::removeChosen()
+{
+  qFaceToBoneCuts* cuts = m_case->cuts();
+  const QTreeWidgetItem* item = m_cuts->currentItem();
+  const int part = item ? item->data(0, partRole).toInt() : -1;
+  if (part >= 0)
+    cuts->removePart(cuts->current(), part);
+  else
+    cuts->remove(cuts->current());
+}
+
+void qFaceToBoneCutsPanel::chooseSpared()
+{
+  const QString file = QFileDialog::getOpenFileName(
+      this, tr("A structure to be spared"), m_case->folder(),
+      tr("Curves and surfaces (*.mrk.json *.vtp *.ply *.obj *.stl *.vtk)"));
+  if (!file.isEmpty())
+    importSpared(file);
+}
+
+bool qFaceToBoneCutsPanel::importSpared(const QString& file)
+{
+  if (m_case->cuts()->addSpared(file))
+    return true;
+  emit refused(m_case->cuts()->error());
+  return false;
 }
 
 void qFaceToBoneCutsPanel::update()
 {
-  const QSignalBlocker kerf(m_kerf), density(m_density);
-  m_template->setCurrentIndex(m_template->findText(m_case->cutTemplate()));
-  m_kerf->setValue(m_case->kerf());
-  m_density->setValue(m_case->meshDensity());
+  m_updating = true;
+  updateCuts();
+  updateSpared();
+  updateNumbers();
+  m_updating = false;
   setEnabled(m_case->isOpen() && !m_case->task()->isRunning());
+  m_undo->setEnabled(m_case->cuts()->canUndo());
+  m_redo->setEnabled(m_case->cuts()->canRedo());
   QStringList names;
   for (const qFaceToBoneObject& o : m_case->objects()->all())
     if (o.key.startsWith("fragment/"))
       names << o.name;
   m_fragments->setText(names.isEmpty() ? tr("Not cut yet. Press Cut to see the fragments.")
                                        : tr("Fragments: %1").arg(names.join(", ")));
+}
+
+/// Items are kept where they still fit, so that a choice and an editor that is open stay.
+void qFaceToBoneCutsPanel::updateCuts()
+{
+  const auto& cuts = m_case->cuts()->all();
+  const int count = m_case->cuts()->count();
+  while (m_cuts->topLevelItemCount() > count)
+    delete m_cuts->topLevelItem(m_cuts->topLevelItemCount() - 1);
+  for (int c = 0; c < count; ++c)
+  {
+    const qFaceToBoneCut& cut = cuts[static_cast<std::size_t>(c)];
+    QTreeWidgetItem* item = m_cuts->topLevelItem(c);
+    if (!item)
+    {
+      item = new QTreeWidgetItem(m_cuts);
+      item->setFlags(item->flags() | Qt::ItemIsEditable);
+      QPixmap swatch(12, 12);
+      swatch.fill(qFaceToBoneCuts::colour(c));
+      item->setIcon(0, swatch);
+      item->setData(0, cutRole, c);
+      item->setData(0, partRole, -1);
+    }
+    item->setText(0, QString::fromStdString(cut.fragment));
+    item->setText(1, wordsOf(cut));
+    item->setToolTip(1, QString::fromStdString(cut.problem));
+    std::vector<QString> parts;
+    for (const f2b::BoundedPlane& plane : cut.planes)
+      parts.push_back(QString::fromStdString(plane.name));
+    for (const qFaceToBoneCutCurve& curve : cut.curves)
+      parts.push_back(QString::fromStdString(curve.saw.name));
+    while (item->childCount() > static_cast<int>(parts.size()))
+      delete item->child(item->childCount() - 1);
+    for (int k = 0; k < static_cast<int>(parts.size()); ++k)
+    {
+      QTreeWidgetItem* child = k < item->childCount() ? item->child(k) : new QTreeWidgetItem(item);
+      child->setData(0, cutRole, c);
+      child->setData(0, partRole, k);
+      child->setText(0, parts[static_cast<std::size_t>(k)]);
+      child->setText(1, k < static_cast<int>(cut.planes.size()) ? tr("plane") : tr("line"));
+    }
+  }
+  const QTreeWidgetItem* chosen = m_cuts->currentItem();
+  const int current = m_case->cuts()->current();
+  if (current >= 0 && (!chosen || chosen->data(0, cutRole).toInt() != current))
+    m_cuts->setCurrentItem(m_cuts->topLevelItem(current));
+}
+
+void qFaceToBoneCutsPanel::updateNumbers()
+{
+  const QSignalBlocker kerf(m_kerf), depth(m_depth), density(m_density), margin(m_margin);
+  const int current = m_case->cuts()->current();
+  m_kerf->setEnabled(current >= 0);
+  m_depth->setEnabled(false);
+  m_anew->setEnabled(false);
+  m_remove->setEnabled(current >= 0);
+  if (current >= 0)
+  {
+    const qFaceToBoneCut& cut = m_case->cuts()->all()[static_cast<std::size_t>(current)];
+    m_kerf->setValue(cut.kerf);
+    m_depth->setEnabled(!cut.curves.empty());
+    if (!cut.curves.empty())
+      m_depth->setValue(cut.curves.front().saw.depth_mm);
+    m_anew->setEnabled(cut.drawn && !cut.templateName.empty());
+  }
+  m_density->setValue(m_case->meshDensity());
+  const auto all = m_case->cuts()->clearances();
+  const auto chosen =
+      static_cast<std::size_t>(m_spared->indexOfTopLevelItem(m_spared->currentItem()));
+  m_margin->setEnabled(chosen < all.size());
+  if (chosen < all.size())
+    m_margin->setValue(all[chosen].margin);
+}
+
+void qFaceToBoneCutsPanel::updateSpared()
+{
+  const auto all = m_case->cuts()->clearances();
+  while (m_spared->topLevelItemCount() > static_cast<int>(all.size()))
+    delete m_spared->topLevelItem(m_spared->topLevelItemCount() - 1);
+  for (int k = 0; k < static_cast<int>(all.size()); ++k)
+  {
+    const qFaceToBoneCuts::Clearance& c = all[static_cast<std::size_t>(k)];
+    QTreeWidgetItem* item = m_spared->topLevelItem(k);
+    if (!item)
+      item = new QTreeWidgetItem(m_spared);
+    item->setText(0, c.name);
+    item->setText(1, c.words);
+    item->setToolTip(1, c.words);
+    const QBrush colour(c.near ? QColor(190, 15, 20) : palette().color(QPalette::Text));
+    for (int column = 0; column < 2; ++column)
+      item->setForeground(column, colour);
+  }
+  if (!all.empty() && !m_spared->currentItem())
+    m_spared->setCurrentItem(m_spared->topLevelItem(0));
 }

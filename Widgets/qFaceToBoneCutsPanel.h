@@ -4,13 +4,16 @@
 #include <QWidget>
 
 class QCheckBox;
-class QComboBox;
 class QDoubleSpinBox;
+class QFormLayout;
 class QLabel;
 class QSlider;
+class QToolButton;
+class QTreeWidget;
+class QTreeWidgetItem;
 class qFaceToBoneCase;
 
-/// Where is the bone cut, how wide, and how finely is the tissue meshed?
+/// Where is the bone cut, how wide and how deep, what is spared, and how finely is the tissue meshed?
 class qFaceToBoneCutsPanel : public QWidget
 {
   Q_OBJECT
@@ -18,24 +21,46 @@ class qFaceToBoneCutsPanel : public QWidget
 public:
   qFaceToBoneCutsPanel(qFaceToBoneCase* work, QWidget* parent = nullptr);
 
-  bool showsPlanes() const;
+  bool showsTools() const;
+  /// A line is being drawn, or no more.
+  void setDrawing(bool on);
+  /// Takes over a structure that the saw should spare.
+  bool importSpared(const QString& file);
 
 signals:
-  void planesShown(bool on);
-  /// A plane is wanted where the crosshair is.
-  void planeWanted();
+  void toolsShown(bool on);
+  /// A plane is wanted where the crosshair is: a cut of its own, or one more of the current cut.
+  void planeWanted(bool ofCurrent);
+  void lineWanted(bool ofCurrent);
+  void lineFinished();
+  void lineDropped();
   /// Fragments are to be drawn apart by so much [mm].
   void explodeChanged(double mm);
+  void refused(const QString& why);
 
 private:
+  QWidget* makeCutButtons();
+  QWidget* makeDrawingBox();
+  QWidget* makeSparedBox();
+  void makeNumbers(QFormLayout* form);
+  void connectParts();
   void update();
+  void updateCuts();
+  void updateNumbers();
+  void updateSpared();
+  void removeChosen();
+  void chooseSpared();
+  void renamed(QTreeWidgetItem* item);
 
   qFaceToBoneCase* m_case;
-  QCheckBox* m_planes;
-  QComboBox* m_template;
-  QDoubleSpinBox *m_kerf, *m_density;
+  QTreeWidget *m_cuts, *m_spared;
+  QToolButton *m_add, *m_remove, *m_anew, *m_undo, *m_redo;
+  QCheckBox* m_tools;
+  QWidget* m_drawing = nullptr;
+  QDoubleSpinBox *m_kerf, *m_depth, *m_density, *m_margin = nullptr;
   QSlider* m_explode;
   QLabel* m_fragments;
+  bool m_updating = false;
 };
 
 #endif

@@ -18,7 +18,11 @@ class qFaceToBonePlanPanel : public QWidget
 public:
   qFaceToBonePlanPanel(qFaceToBoneCase* work, QWidget* parent = nullptr);
 
+  double shareShown() const; ///< of the movement, by the slider
+
 signals:
+  /// Why a rule cannot be taken.
+  void refused(const QString& why);
   /// The gizmo is wanted in the 3D view.
   void handChanged(bool on);
 
@@ -28,7 +32,14 @@ private:
     QWidget* box = nullptr;
     QString fragment;
     QDoubleSpinBox* numbers[6]{}; ///< right, forward, up [mm], pitch, roll, yaw [degrees]
+    QWidget* rules = nullptr;     ///< shown on demand
+    QCheckBox *locks[6]{}, *bounds[6]{};
+    QDoubleSpinBox *least[6]{}, *most[6]{};
+    QLabel* restraint = nullptr;
   };
+  void makeRules(FragmentBox& made);
+  void updateRules(const FragmentBox& box);
+  void applyRule(const FragmentBox& box, int coordinate);
   FragmentBox makeBox(const QString& fragment);
   void update();
   void apply(const FragmentBox& box);

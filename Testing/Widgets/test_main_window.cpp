@@ -1,6 +1,6 @@
+#include "Widgets/desktop_patient.hpp"
 #include "Widgets/desktop_stage.hpp"
 
-#include "qFaceToBoneBoneTools.h"
 #include "qFaceToBoneSliceView.h"
 #include "qFaceToBoneStepsPanel.h"
 #include "qFaceToBoneThreeDView.h"
@@ -28,47 +28,9 @@ namespace f2b
 namespace
 {
 
+using testing::coarse_patient;
+using testing::SegmentedPatient;
 using testing::wait_until;
-
-/// The virtual patient, coarse; made once for the program, gone with it.
-struct CoarsePatient
-{
-  CoarsePatient()
-      : folder(std::filesystem::temp_directory_path() /
-               ("f2b desktop patient " + std::to_string(::getpid())))
-  {
-    SampleOptions options;
-    options.spacing_mm = 1;
-    write_sample(folder, options, no_progress);
-    nlohmann::json document = read_json(folder / "case.json");
-    document["mesh"]["density"] = 0.15;
-    document["solver"]["max_fit_iterations"] = 2;
-    write_json(folder / "case.json", document);
-  }
-  ~CoarsePatient() { std::filesystem::remove_all(folder); }
-  std::filesystem::path folder;
-};
-
-const CoarsePatient& coarse_patient()
-{
-  static const CoarsePatient patient;
-  return patient;
-}
-
-/// The same after its first step.
-struct SegmentedPatient
-{
-  SegmentedPatient()
-      : folder(std::filesystem::temp_directory_path() /
-               ("f2b desktop segmented " + std::to_string(::getpid())))
-  {
-    const auto file = coarse_patient().folder / "case.json";
-    CaseSession session(folder, read_json(file), file);
-    segment_case(session);
-  }
-  ~SegmentedPatient() { std::filesystem::remove_all(folder); }
-  std::filesystem::path folder;
-};
 
 class MainWindow : public testing::DesktopStage
 {
@@ -282,23 +244,6 @@ TEST_F(MainWindow, CrosshairIsOneForAllSlices)
   EXPECT_EQ(window->sliceView(0)->crosshair(), point);
   EXPECT_EQ(window->sliceView(2)->crosshair(), point);
   EXPECT_GT(point[0], 1); // the picture's left is the patient's right
-}
-
-TEST_F(MainWindow, PlanesCanBeAddedMovedAndRemovedBeforeTheCut)
-{
-  open_segmented();
-  window->steps()->setCurrentStep(qFaceToBoneCase::Cuts);
-  window->findChild<QCheckBox*>("planes")->setChecked(true);
-  const std::size_t placed = work()->cutPlaneCount();
-  ASSERT_GT(placed, 2u);
-  EXPECT_EQ(window->boneTools()->planeTools().size(), placed);
-  work()->addCutPlane({0, 60, -40});
-  EXPECT_EQ(window->boneTools()->planeTools().size(), placed + 1);
-  work()->removeCutPlane(placed);
-  EXPECT_EQ(work()->cutPlaneCount(), placed);
-  work()->setCutTemplate("genioplasty");
-  EXPECT_EQ(window->boneTools()->planeTools().size(), work()->cutPlaneCount());
-  EXPECT_GT(work()->cutPlaneCount(), 0u);
 }
 
 TEST_F(MainWindow, SampleCaseFromCtToReport)

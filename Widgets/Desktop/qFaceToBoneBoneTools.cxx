@@ -3,9 +3,6 @@
 #include "qFaceToBoneCase.h"
 #include "qFaceToBoneThreeDView.h"
 #include "vtkFaceToBoneFragmentWidget.h"
-#include "vtkFaceToBonePlaneWidget.h"
-
-#include <Core/geometry/osteotomy.hpp>
 
 #include <vtkCommand.h>
 #include <vtkRenderWindowInteractor.h>
@@ -15,63 +12,14 @@ qFaceToBoneBoneTools::qFaceToBoneBoneTools(qFaceToBoneCase* work, qFaceToBoneThr
                                            QObject* parent)
     : QObject(parent), m_case(work), m_view(view)
 {
-  connect(m_case, &qFaceToBoneCase::cutPlanesChanged, this, &qFaceToBoneBoneTools::makePlanes);
   connect(m_case, &qFaceToBoneCase::planChanged, this, &qFaceToBoneBoneTools::updateGizmos);
-  connect(m_case, &qFaceToBoneCase::loaded, this,
-          [this]
-          {
-            makePlanes();
-            updateGizmos();
-          });
+  connect(m_case, &qFaceToBoneCase::loaded, this, &qFaceToBoneBoneTools::updateGizmos);
 }
 
 qFaceToBoneBoneTools::~qFaceToBoneBoneTools()
 {
-  drop();
   for (const auto& tool : m_gizmos)
     tool->SetInteractor(nullptr);
-}
-
-void qFaceToBoneBoneTools::drop()
-{
-  for (const auto& tool : m_planes)
-  {
-    tool->SetEnabled(0);
-    tool->SetInteractor(nullptr);
-  }
-  m_planes.clear();
-}
-
-void qFaceToBoneBoneTools::makePlanes()
-{
-  drop();
-  for (const f2b::BoundedPlane& plane : m_case->cutPlanes())
-  {
-    auto tool = vtkSmartPointer<vtkFaceToBonePlaneWidget>::New();
-    tool->SetInteractor(m_view->interactor());
-    tool->SetDefaultRenderer(m_view->mainRenderer());
-    tool->GetPlaneRepresentation()->SetKerf(m_case->kerf());
-    tool->GetPlaneRepresentation()->SetPlane(plane);
-    tool->AddObserver(vtkCommand::InteractionEvent, this, &qFaceToBoneBoneTools::planeMoved);
-    tool->SetEnabled(m_showPlanes);
-    m_planes.push_back(tool);
-  }
-  m_view->renderSoon();
-}
-
-void qFaceToBoneBoneTools::planeMoved(vtkObject* tool, unsigned long, void*)
-{
-  for (std::size_t k = 0; k < m_planes.size(); ++k)
-    if (m_planes[k] == tool)
-      m_case->setCutPlane(k, m_planes[k]->GetPlaneRepresentation()->GetPlane());
-}
-
-void qFaceToBoneBoneTools::showPlanes(bool on)
-{
-  m_showPlanes = on;
-  for (const auto& tool : m_planes)
-    tool->SetEnabled(on);
-  m_view->renderSoon();
 }
 
 void qFaceToBoneBoneTools::showGizmos(bool on)
@@ -106,6 +54,16 @@ void qFaceToBoneBoneTools::updateGizmos()
     vtkFaceToBoneFragmentRepresentation* look = tool->GetFragmentRepresentation();
     const auto& t = movements[f].translation;
     const auto& r = movements[f].rotation;
+    const qFaceToBoneRules rules = m_case->cuts()->rules(movements[f].fragment);
+    for (int k = 0; k < 6; ++k)
+    {
+      const double most = k < 3 ? vtkFaceToBoneFragmentRepresentation::MostMm
+                                : vtkFaceToBoneFragmentRepresentation::MostDegrees;
+      const auto coordinate = static_cast<std::size_t>(k);
+      look->SetLimits(k, rules.within(coordinate, -most, most),
+                      rules.within(coordinate, most, most));
+      look->SetLocked(k, rules.isLocked(coordinate));
+    }
     look->SetReferencePoint(m_case->referencePoint(movements[f].fragment));
     look->SetMovement({t[0], t[1], t[2], r[0], r[1], r[2]});
     if (bool(tool->GetEnabled()) != m_showGizmos)

@@ -10,10 +10,9 @@
 class qFaceToBoneCase;
 class qFaceToBoneThreeDView;
 class vtkFaceToBoneFragmentWidget;
-class vtkFaceToBonePlaneWidget;
 class vtkObject;
 
-/// The tools on the bone in the 3D view: one plane widget a cut, one gizmo a fragment.
+/// The gizmos in the 3D view that move fragments by hand, one a fragment, as far as its rules allow.
 class qFaceToBoneBoneTools : public QObject
 {
   Q_OBJECT
@@ -22,29 +21,20 @@ public:
   qFaceToBoneBoneTools(qFaceToBoneCase* work, qFaceToBoneThreeDView* view, QObject* parent);
   ~qFaceToBoneBoneTools() override;
 
-  void showPlanes(bool on);
   void showGizmos(bool on);
-  const std::vector<vtkSmartPointer<vtkFaceToBonePlaneWidget>>& planeTools() const
-  {
-    return m_planes;
-  }
   const std::vector<vtkSmartPointer<vtkFaceToBoneFragmentWidget>>& gizmos() const
   {
     return m_gizmos;
   }
 
 private:
-  void makePlanes();
   void updateGizmos();
-  void planeMoved(vtkObject* tool, unsigned long, void*);
   void gizmoMoved(vtkObject* tool, unsigned long, void*);
-  void drop();
 
   qFaceToBoneCase* m_case;
   qFaceToBoneThreeDView* m_view;
-  std::vector<vtkSmartPointer<vtkFaceToBonePlaneWidget>> m_planes;
   std::vector<vtkSmartPointer<vtkFaceToBoneFragmentWidget>> m_gizmos;
-  bool m_showPlanes = false, m_showGizmos = false;
+  bool m_showGizmos = false;
 };
 
 #endif

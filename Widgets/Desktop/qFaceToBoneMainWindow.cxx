@@ -69,7 +69,7 @@ qFaceToBoneMainWindow::qFaceToBoneMainWindow(QWidget* parent)
           {
             const auto session = m_case->sculpting();
             if (session && !session->in_stroke())
-              m_case->saveSculpted();
+              saveAll();
           });
   const QSettings settings;
   resize(1280, 720);
@@ -344,7 +344,7 @@ void qFaceToBoneMainWindow::makeMenus()
       file, tr("&Save"), QKeySequence::Save,
       [this]
       {
-        if (m_case->saveSculpted())
+        if (saveAll())
           say(tr("Saved in %1").arg(m_case->folder()));
         else
           complain(m_case->error());
@@ -365,9 +365,9 @@ void qFaceToBoneMainWindow::makeMenus()
       file, tr("&Quit"), QKeySequence::Quit, [this] { close(); }, "quit");
   QMenu* edit = menuBar()->addMenu(tr("&Edit"));
   add(
-      edit, tr("&Undo"), QKeySequence::Undo, [this] { m_case->undo(); }, "undo");
+      edit, tr("&Undo"), QKeySequence::Undo, [this] { undo(); }, "undo");
   add(
-      edit, tr("&Redo"), QKeySequence::Redo, [this] { m_case->redo(); }, "redo");
+      edit, tr("&Redo"), QKeySequence::Redo, [this] { redo(); }, "redo");
   edit->addSeparator();
   add(
       edit, tr("&Preferences..."), QKeySequence::Preferences, [this] { preferences(); },

@@ -14,6 +14,7 @@ class QStackedWidget;
 class QTimer;
 class qFaceToBoneBoneTools;
 class qFaceToBoneCase;
+class qFaceToBoneCutTools;
 class qFaceToBoneCutsPanel;
 class qFaceToBonePlanPanel;
 class qFaceToBoneSculptPanel;
@@ -39,6 +40,7 @@ public:
   qFaceToBoneCase* work() const { return m_case; }
   qFaceToBoneStepsPanel* steps() const { return m_steps; }
   qFaceToBoneBoneTools* boneTools() const { return m_boneTools; }
+  qFaceToBoneCutTools* cutTools() const { return m_cutTools; }
   qFaceToBoneSculptPanel* sculptPanel() const { return m_sculptPanel; }
   qFaceToBoneThreeDView* threeDView() const { return m_view; }
   qFaceToBoneSliceView* sliceView(int k) const { return m_slices[k]; }
@@ -57,6 +59,9 @@ private:
   void connectCase();
   void connectTool();
   void connectBoneTools();
+  bool saveAll();
+  void undo();
+  void redo();
   void loadedAnother();
   void strokeMoved();
   void strokeEnded();
@@ -78,6 +83,7 @@ private:
   qFaceToBonePlanPanel* m_planPanel = nullptr;
   qFaceToBoneSculptPanel* m_sculptPanel = nullptr;
   qFaceToBoneBoneTools* m_boneTools = nullptr;
+  qFaceToBoneCutTools* m_cutTools = nullptr;
   bool m_byHand = false;
   QStackedWidget *m_pages = nullptr, *m_centre = nullptr;
   qFaceToBoneThreeDView* m_view = nullptr;

@@ -2,6 +2,7 @@
 
 #include "qFaceToBoneBoneTools.h"
 #include "qFaceToBoneCase.h"
+#include "qFaceToBoneCutTools.h"
 #include "qFaceToBoneCutsPanel.h"
 #include "qFaceToBonePlanPanel.h"
 #include "qFaceToBoneSculptPanel.h"
@@ -105,18 +106,64 @@ void qFaceToBoneMainWindow::connectTool()
 void qFaceToBoneMainWindow::connectBoneTools()
 {
   m_boneTools = new qFaceToBoneBoneTools(m_case, m_view, this);
+  m_cutTools = new qFaceToBoneCutTools(m_case, m_view, this);
   connect(m_cutsPanel, &qFaceToBoneCutsPanel::explodeChanged, m_view,
           &qFaceToBoneThreeDView::setExplode);
-  connect(m_cutsPanel, &qFaceToBoneCutsPanel::planesShown, m_boneTools,
-          &qFaceToBoneBoneTools::showPlanes);
+  connect(m_cutsPanel, &qFaceToBoneCutsPanel::toolsShown, m_cutTools, &qFaceToBoneCutTools::show);
   connect(m_cutsPanel, &qFaceToBoneCutsPanel::planeWanted, this,
-          [this] { m_case->addCutPlane(m_slices[0]->crosshair()); });
+          [this](bool ofCurrent)
+          {
+            if (!m_case->cuts()->addPlane(m_slices[0]->crosshair(), ofCurrent))
+              complain(m_case->cuts()->error());
+          });
+  connect(m_cutsPanel, &qFaceToBoneCutsPanel::lineWanted, this,
+          [this](bool ofCurrent)
+          {
+            if (!m_cutTools->startDrawing(ofCurrent))
+              complain(tr("There is no bone to draw on; find the surfaces first"));
+          });
+  connect(m_cutsPanel, &qFaceToBoneCutsPanel::lineFinished, this,
+          [this]
+          {
+            if (!m_cutTools->finishDrawing())
+              say(tr("A line has two points at least"));
+          });
+  connect(m_cutsPanel, &qFaceToBoneCutsPanel::lineDropped, m_cutTools,
+          &qFaceToBoneCutTools::dropDrawing);
+  connect(m_cutsPanel, &qFaceToBoneCutsPanel::refused, this, &qFaceToBoneMainWindow::complain);
+  connect(m_cutTools, &qFaceToBoneCutTools::drawingChanged, m_cutsPanel,
+          &qFaceToBoneCutsPanel::setDrawing);
+  connect(m_cutTools, &qFaceToBoneCutTools::told, this, &qFaceToBoneMainWindow::say);
+  connect(m_planPanel, &qFaceToBonePlanPanel::refused, this, &qFaceToBoneMainWindow::complain);
   connect(m_planPanel, &qFaceToBonePlanPanel::handChanged, this,
           [this](bool on)
           {
             m_byHand = on;
             m_boneTools->showGizmos(on);
           });
+}
+
+bool qFaceToBoneMainWindow::saveAll()
+{
+  const bool sculpted = m_case->saveSculpted();
+  return m_case->saveCuts() && sculpted;
+}
+
+/// Of what the step at hand is about.
+void qFaceToBoneMainWindow::undo()
+{
+  if (m_steps->currentStep() == qFaceToBoneCase::Cuts)
+    m_case->cuts()->undo();
+  else
+    m_case->undo();
+}
+
+void qFaceToBoneMainWindow::redo()
+{
+  if (m_steps->currentStep() == qFaceToBoneCase::Cuts)
+    m_case->cuts()->redo();
+  else
+    m_case->redo();
 }
 
 vtkFaceToBoneSculptWidget* qFaceToBoneMainWindow::sculptTool() const
@@ -207,7 +254,8 @@ void qFaceToBoneMainWindow::stepChosen(int step)
   m_pages->setCurrentIndex(step);
   m_tool->SetEnabled(step == qFaceToBoneCase::Target && m_sculptPanel->isSculpting() &&
                      m_case->sculpting());
-  m_boneTools->showPlanes(step == qFaceToBoneCase::Cuts && m_cutsPanel->showsPlanes());
+  m_cutTools->show(step == qFaceToBoneCase::Cuts && m_cutsPanel->showsTools());
+  m_case->setMovementShown(step == qFaceToBoneCase::Cuts ? 0 : m_planPanel->shareShown());
   m_boneTools->showGizmos(step == qFaceToBoneCase::Plan && m_byHand);
   qFaceToBoneObjects* objects = m_case->objects();
   const bool planned = !m_case->movements().empty();
@@ -219,7 +267,8 @@ void qFaceToBoneMainWindow::stepChosen(int step)
   objects->setVisible("predicted", through && planned);
   objects->setOpacity("predicted", through ? 0.4 : 1);
   for (const qFaceToBoneObject& object : objects->all())
-    if (object.key.startsWith("fragment/") || object.key == "bone" || object.key == "uncut")
+    if (object.key.startsWith("fragment/") || object.key.startsWith("protected/") ||
+        object.key == "bone" || object.key == "uncut")
       objects->setVisible(object.key, bones || through || step == qFaceToBoneCase::Surfaces);
   m_view->renderSoon();
 }
@@ -314,7 +363,8 @@ void qFaceToBoneMainWindow::closeEvent(QCloseEvent* event)
 {
   QSettings().setValue("geometry", saveGeometry());
   m_tool->SetEnabled(0);
+  m_cutTools->show(false);
   m_case->task()->cancel();
-  m_case->saveSculpted();
+  saveAll();
   event->accept();
 }

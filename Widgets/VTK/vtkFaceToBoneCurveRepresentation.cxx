@@ -79,7 +79,7 @@ vtkFaceToBoneCurveRepresentation::vtkFaceToBoneCurveRepresentation()
 {
   this->LineActor = this->AddActor(this->Line, {0.72, 0.05, 0.27}, 3.5);
   this->LineActor->GetProperty()->LightingOff();
-  this->MakeBalls(this->Points, this->Chosen);
+  this->BallActor = this->MakeBalls(this->Points, this->Chosen);
 }
 
 vtkFaceToBoneCurveRepresentation::~vtkFaceToBoneCurveRepresentation() = default;
@@ -115,6 +115,12 @@ void vtkFaceToBoneCurveRepresentation::SetFree(bool free)
 void vtkFaceToBoneCurveRepresentation::SetColour(const Point& colour)
 {
   this->LineActor->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
+}
+
+void vtkFaceToBoneCurveRepresentation::SetBall(const Point& colour)
+{
+  this->BallActor->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
+  this->BallActor->GetProperty()->SetPointSize(19);
 }
 
 void vtkFaceToBoneCurveRepresentation::SetHandlesShown(bool shown)
@@ -361,19 +367,54 @@ bool vtkFaceToBoneCurveRepresentation::LineAt(double x, double y)
   return false;
 }
 
-void vtkFaceToBoneCurveRepresentation::Highlight(int index)
+bool vtkFaceToBoneCurveRepresentation::HighlightOnly(int index)
 {
   if (index == this->Highlighted)
-    return;
+    return false;
   this->Highlighted = index;
   this->Draw();
+  return true;
 }
 
 void vtkFaceToBoneCurveRepresentation::ShowLength(double x, double y)
 {
+  if (this->Places.size() == 1 && !this->Name.empty())
+    return this->SetReadout(this->Name, x, y);
   char text[80];
   std::snprintf(text, sizeof text, "%.1f mm%s", this->GetLength(), this->Closed ? ", closed" : "");
   this->SetReadout(text, x, y);
+}
+
+void vtkFaceToBoneCurveRepresentation::ShowName(double x, double y)
+{
+  this->SetReadout(this->Highlighted == None ? "" : this->Name, x, y);
+}
+
+auto vtkFaceToBoneCurveRepresentation::GetInwards() const -> Point
+{
+  f2b::Vec3 sum = f2b::Vec3::Zero();
+  for (const f2b::SurfacePlace& place : this->Places)
+    if (this->Bone && !IsInTheAir(place))
+    {
+      const auto& t = this->Bone->mesh.triangles[static_cast<std::size_t>(place.triangle)];
+      const auto corner = [&](std::size_t k) -> const f2b::Vec3&
+      { return this->Bone->mesh.points[static_cast<std::size_t>(t[k])]; };
+      const f2b::Vec3 normal = (corner(1) - corner(0)).cross(corner(2) - corner(0));
+      if (normal.norm() > 0)
+        sum -= normal.normalized();
+    }
+  if (sum.norm() < 1e-3)
+    return {0, -1, 0};
+  sum.normalize();
+  return {sum.x(), sum.y(), sum.z()};
+}
+
+auto vtkFaceToBoneCurveRepresentation::NearestOnBone(const Point& point) const -> Point
+{
+  if (!this->Bone)
+    return point;
+  const f2b::Vec3 p = this->Bone->tree.nearest(f2b::Vec3(point.data())).point;
+  return {p.x(), p.y(), p.z()};
 }
 
 void vtkFaceToBoneCurveRepresentation::PrintSelf(ostream& os, vtkIndent indent)

@@ -35,6 +35,10 @@ public:
   void SetFree(bool free);
   vtkGetMacro(Free, bool);
   void SetColour(const Point& colour);
+  /// Said beside a point under the cursor.
+  void SetName(const std::string& name) { this->Name = name; }
+  /// A single point is drawn as a big ball of this colour.
+  void SetBall(const Point& colour);
   /// Without handles a line is only looked at.
   void SetHandlesShown(bool shown);
   /// The bone under a pixel.
@@ -70,9 +74,15 @@ public:
   int ControlPointAt(double x, double y);
   /// Is the line itself under a pixel?
   bool LineAt(double x, double y);
-  void Highlight(int index);
+  /// \return whether it looks different now
+  bool HighlightOnly(int index);
   /// Length at the cursor.
   void ShowLength(double x, double y);
+  /// The name at the cursor, where a point is highlighted.
+  void ShowName(double x, double y);
+  /// Into the bone, as a mean over the control points; unit.
+  Point GetInwards() const;
+  Point NearestOnBone(const Point& point) const;
   void HideLength() { this->SetReadout("", 0, 0); }
 
   vtkFaceToBoneCurveRepresentation(const vtkFaceToBoneCurveRepresentation&) = delete;
@@ -93,7 +103,8 @@ private:
   bool Closed = false, Free = false, HandlesShown = true;
   int Highlighted = None;
   vtkSmartPointer<vtkPolyData> Line, Points, Chosen;
-  vtkActor* LineActor = nullptr;
+  vtkActor *LineActor = nullptr, *BallActor = nullptr;
+  std::string Name;
 };
 
 #endif

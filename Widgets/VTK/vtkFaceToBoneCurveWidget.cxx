@@ -56,8 +56,11 @@ bool vtkFaceToBoneCurveWidget::Changed()
 bool vtkFaceToBoneCurveWidget::Hover()
 {
   Representation* look = this->GetCurveRepresentation();
-  look->Highlight(look->ControlPointAt(this->GetX(), this->GetY()));
-  this->Render();
+  if (look->HighlightOnly(look->ControlPointAt(this->GetX(), this->GetY())))
+  {
+    look->ShowName(this->GetX(), this->GetY());
+    this->Render();
+  }
   return false;
 }
 
@@ -97,7 +100,7 @@ bool vtkFaceToBoneCurveWidget::PressOnPoint()
   Representation* look = this->GetCurveRepresentation();
   if (this->Held == 0 && this->Drawing)
     look->Close();
-  look->Highlight(this->Held);
+  look->HighlightOnly(this->Held);
   return this->Begin(Dragging);
 }
 
@@ -179,7 +182,7 @@ void vtkFaceToBoneCurveWidget::Cancel()
 {
   if (this->WidgetState != Start)
     this->TakeBack();
-  this->GetCurveRepresentation()->Highlight(Representation::None);
+  this->GetCurveRepresentation()->HighlightOnly(Representation::None);
 }
 
 void vtkFaceToBoneCurveWidget::PrintSelf(ostream& os, vtkIndent indent)

@@ -179,12 +179,13 @@ int vtkFaceToBoneFragmentRepresentation::CoordinateAt(double x, double y)
   return found;
 }
 
-void vtkFaceToBoneFragmentRepresentation::Highlight(int coordinate)
+bool vtkFaceToBoneFragmentRepresentation::HighlightOnly(int coordinate)
 {
   if (coordinate == this->Highlighted)
-    return;
+    return false;
   this->Highlighted = coordinate;
   this->Draw();
+  return true;
 }
 
 void vtkFaceToBoneFragmentRepresentation::ShowMovement(double x, double y)

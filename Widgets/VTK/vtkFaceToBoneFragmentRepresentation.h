@@ -43,7 +43,8 @@ public:
   Point GripPosition(int coordinate) const;
   /// The coordinate under a pixel, or None.
   int CoordinateAt(double x, double y);
-  void Highlight(int coordinate);
+  /// \return whether it looks different now
+  bool HighlightOnly(int coordinate);
   f2b::LineOfSight LineAt(double x, double y);
   void ShowMovement(double x, double y);
   void HideMovement() { this->SetReadout("", 0, 0); }

@@ -52,8 +52,8 @@ Representation* vtkFaceToBoneFragmentWidget::GetFragmentRepresentation()
 bool vtkFaceToBoneFragmentWidget::Hover()
 {
   Representation* look = this->GetFragmentRepresentation();
-  look->Highlight(look->CoordinateAt(this->GetX(), this->GetY()));
-  this->Render();
+  if (look->HighlightOnly(look->CoordinateAt(this->GetX(), this->GetY())))
+    this->Render();
   return false;
 }
 
@@ -69,7 +69,7 @@ bool vtkFaceToBoneFragmentWidget::Press()
   this->PressX = this->GetX();
   this->PressY = this->GetY();
   this->WidgetState = Dragging;
-  look->Highlight(this->Held);
+  look->HighlightOnly(this->Held);
   look->ShowMovement(this->GetX(), this->GetY());
   this->InvokeEvent(vtkCommand::StartInteractionEvent);
   return true;
@@ -134,7 +134,7 @@ void vtkFaceToBoneFragmentWidget::Cancel()
 {
   if (this->WidgetState == Dragging)
     this->TakeBack();
-  this->GetFragmentRepresentation()->Highlight(Representation::None);
+  this->GetFragmentRepresentation()->HighlightOnly(Representation::None);
 }
 
 void vtkFaceToBoneFragmentWidget::PrintSelf(ostream& os, vtkIndent indent)

@@ -177,12 +177,13 @@ auto vtkFaceToBonePlaneRepresentation::HandleAt(double x, double y) -> Handle
   return hit && p.faces(*hit, 0) ? Face : None;
 }
 
-void vtkFaceToBonePlaneRepresentation::Highlight(Handle handle)
+bool vtkFaceToBonePlaneRepresentation::HighlightOnly(Handle handle)
 {
   if (handle == this->Highlighted)
-    return;
+    return false;
   this->Highlighted = handle;
   this->Draw();
+  return true;
 }
 
 void vtkFaceToBonePlaneRepresentation::ShowSize(double x, double y)

@@ -47,7 +47,8 @@ public:
 
   /// The handle under a pixel.
   Handle HandleAt(double x, double y);
-  void Highlight(Handle handle);
+  /// \return whether it looks different now
+  bool HighlightOnly(Handle handle);
   /// Where a handle is drawn.
   Point HandlePosition(Handle handle) const;
   f2b::LineOfSight LineAt(double x, double y);

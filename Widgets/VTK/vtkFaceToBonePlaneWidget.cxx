@@ -28,8 +28,8 @@ vtkFaceToBonePlaneWidget::vtkFaceToBonePlaneWidget() : Before(std::make_unique<f
   this->On(Start, vtkCommand::LeaveEvent,
            [this]
            {
-             this->GetPlaneRepresentation()->Highlight(Representation::None);
-             this->Render();
+             if (this->GetPlaneRepresentation()->HighlightOnly(Representation::None))
+               this->Render();
              return false;
            });
   this->On(Start, vtkCommand::LeftButtonPressEvent, [this] { return this->Press(); });
@@ -61,8 +61,8 @@ bool vtkFaceToBonePlaneWidget::Hover()
 {
   Representation* look = this->GetPlaneRepresentation();
   const Representation::Handle handle = look->HandleAt(this->GetX(), this->GetY());
-  look->Highlight(handle);
-  this->Render();
+  if (look->HighlightOnly(handle))
+    this->Render();
   return false; // another cut may be there, too
 }
 
@@ -76,7 +76,7 @@ bool vtkFaceToBonePlaneWidget::Press()
   this->PressX = this->GetX();
   this->PressY = this->GetY();
   this->WidgetState = Dragging;
-  look->Highlight(this->Held);
+  look->HighlightOnly(this->Held);
   look->ShowSize(this->GetX(), this->GetY());
   this->InvokeEvent(vtkCommand::StartInteractionEvent);
   return true;
@@ -185,7 +185,7 @@ void vtkFaceToBonePlaneWidget::Cancel()
 {
   if (this->WidgetState == Dragging)
     this->TakeBack();
-  this->GetPlaneRepresentation()->Highlight(Representation::None);
+  this->GetPlaneRepresentation()->HighlightOnly(Representation::None);
 }
 
 void vtkFaceToBonePlaneWidget::PrintSelf(ostream& os, vtkIndent indent)

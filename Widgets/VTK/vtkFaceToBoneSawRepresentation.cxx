@@ -162,12 +162,13 @@ auto vtkFaceToBoneSawRepresentation::HandleAt(double x, double y) -> Handle
   return found;
 }
 
-void vtkFaceToBoneSawRepresentation::Highlight(Handle handle)
+bool vtkFaceToBoneSawRepresentation::HighlightOnly(Handle handle)
 {
   if (handle == this->Highlighted)
-    return;
+    return false;
   this->Highlighted = handle;
   this->Draw();
+  return true;
 }
 
 void vtkFaceToBoneSawRepresentation::ShowDepth(double x, double y)

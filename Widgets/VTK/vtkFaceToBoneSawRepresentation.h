@@ -43,7 +43,8 @@ public:
   Point GetMiddle() const;
   Point HandlePosition(Handle handle) const;
   Handle HandleAt(double x, double y);
-  void Highlight(Handle handle);
+  /// \return whether it looks different now
+  bool HighlightOnly(Handle handle);
   f2b::LineOfSight LineAt(double x, double y);
   void ShowDepth(double x, double y);
   void HideDepth() { this->SetReadout("", 0, 0); }

@@ -45,8 +45,8 @@ Representation* vtkFaceToBoneSawWidget::GetSawRepresentation()
 
 bool vtkFaceToBoneSawWidget::Hover(Representation::Handle handle)
 {
-  this->GetSawRepresentation()->Highlight(handle);
-  this->Render();
+  if (this->GetSawRepresentation()->HighlightOnly(handle))
+    this->Render();
   return false; // another cut may be there, too
 }
 
@@ -60,7 +60,7 @@ bool vtkFaceToBoneSawWidget::Press()
   this->LeadBefore = look->GetLead();
   this->DepthBefore = look->GetDepth();
   this->WidgetState = Dragging;
-  look->Highlight(this->Held);
+  look->HighlightOnly(this->Held);
   look->ShowDepth(this->GetX(), this->GetY());
   this->InvokeEvent(vtkCommand::StartInteractionEvent);
   return true;
@@ -108,7 +108,7 @@ void vtkFaceToBoneSawWidget::Cancel()
 {
   if (this->WidgetState == Dragging)
     this->TakeBack();
-  this->GetSawRepresentation()->Highlight(Representation::None);
+  this->GetSawRepresentation()->HighlightOnly(Representation::None);
 }
 
 void vtkFaceToBoneSawWidget::PrintSelf(ostream& os, vtkIndent indent)

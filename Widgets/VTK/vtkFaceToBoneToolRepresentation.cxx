@@ -93,9 +93,10 @@ double vtkFaceToBoneToolRepresentation::PixelsFromPiece(const Point& a, const Po
   return std::hypot(a[0] + t * dx - x, a[1] + t * dy - y);
 }
 
-void vtkFaceToBoneToolRepresentation::MakeBalls(vtkPolyData* balls, vtkPolyData* chosen)
+vtkActor* vtkFaceToBoneToolRepresentation::MakeBalls(vtkPolyData* balls, vtkPolyData* chosen)
 {
-  vtkProperty* ball = this->AddActor(balls, {0.1, 0.1, 0.12})->GetProperty();
+  vtkActor* actor = this->AddActor(balls, {0.1, 0.1, 0.12});
+  vtkProperty* ball = actor->GetProperty();
   vtkProperty* other = this->AddActor(chosen, {1, 0.75, 0.1})->GetProperty();
   for (vtkProperty* look : {ball, other})
   {
@@ -103,6 +104,7 @@ void vtkFaceToBoneToolRepresentation::MakeBalls(vtkPolyData* balls, vtkPolyData*
     look->RenderPointsAsSpheresOn();
     look->SetAmbient(0.4);
   }
+  return actor;
 }
 
 auto vtkFaceToBoneToolRepresentation::GetRay(double x, double y) -> Ray

@@ -59,7 +59,7 @@ protected:
   /// Distance of a pixel from a piece of a line on the screen.
   static double PixelsFromPiece(const Point& a, const Point& b, double x, double y);
   /// Balls that can be taken hold of: dark, and one that is chosen.
-  void MakeBalls(vtkPolyData* balls, vtkPolyData* chosen);
+  vtkActor* MakeBalls(vtkPolyData* balls, vtkPolyData* chosen);
 
 private:
   vtkFaceToBoneToolRepresentation(const vtkFaceToBoneToolRepresentation&) = delete;
