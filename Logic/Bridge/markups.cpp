@@ -104,11 +104,11 @@ json markup_json(const std::string& type, const std::vector<ControlPoint>& point
 
 void require_point_type(const std::string& type, const path& file)
 {
-  for (const char* known : {"Fiducial", "Line", "Curve", "ClosedCurve"})
+  for (const char* known : {"Fiducial", "Line", "Angle", "Curve", "ClosedCurve"})
     if (type == known)
       return;
   throw Error(file.string(), "its markup is a '" + type + "'",
-              "give a Fiducial, Line, Curve or ClosedCurve");
+              "give a Fiducial, Line, Angle, Curve or ClosedCurve");
 }
 
 /// Runs a decoder of a file; a field of the wrong type becomes an Error.
@@ -128,32 +128,49 @@ auto decoded(const path& file, Decoder decoder)
 
 } // namespace
 
-PointMarkup read_points(const path& file)
+std::vector<PointMarkup> read_point_markups(const path& file)
 {
   const json markups = markups_of(file);
   return decoded(file,
                  [&]
                  {
-                   PointMarkup result;
-                   result.type = markups.front().value("type", "");
-                   require_point_type(result.type, file);
-                   result.points = control_points(markups.front(), file);
-                   if (result.points.empty())
-                     throw Error(file.string(), "it holds no points",
-                                 "place them in Slicer and save again");
-                   return result;
+                   std::vector<PointMarkup> all;
+                   for (const json& markup : markups)
+                   {
+                     const std::string type = markup.value("type", "");
+                     require_point_type(type, file);
+                     all.push_back({type, control_points(markup, file)});
+                   }
+                   return all;
                  });
+}
+
+PointMarkup read_points(const path& file)
+{
+  const PointMarkup first = read_point_markups(file).front();
+  if (first.points.empty())
+    throw Error(file.string(), "it holds no points", "place them in Slicer and save again");
+  return first;
+}
+
+void write_point_markups(const path& file, const std::vector<PointMarkup>& markups)
+{
+  json document = {{"@schema", schema}, {"markups", json::array()}};
+  for (const PointMarkup& markup : markups)
+    document["markups"].push_back(markup_json(markup.type, markup.points));
+  write_json(file, document);
 }
 
 void write_points(const path& file, const PointMarkup& markup)
 {
-  write_json(file, {{"@schema", schema}, {"markups", {markup_json(markup.type, markup.points)}}});
+  write_point_markups(file, {markup});
 }
 
 Landmarks read_landmarks(const path& file)
 {
   Landmarks landmarks;
-  for (const ControlPoint& point : read_points(file).points)
+  const PointMarkup first = read_point_markups(file).front();
+  for (const ControlPoint& point : first.points)
     if (!landmarks.emplace(point.label, point.position).second)
       throw Error(file.string(), "the landmark '" + point.label + "' appears twice",
                   "remove one of them");

@@ -17,7 +17,7 @@ struct ControlPoint
   Vec3 position = Vec3::Zero();
 };
 
-/// One Fiducial, Line, Curve or ClosedCurve markup.
+/// One Fiducial, Line, Angle, Curve or ClosedCurve markup.
 struct PointMarkup
 {
   std::string type = "Fiducial";
@@ -27,8 +27,13 @@ struct PointMarkup
 /// The first markup of a file. Throws Error on other types, missing or non-finite positions.
 PointMarkup read_points(const std::filesystem::path& path);
 void write_points(const std::filesystem::path& path, const PointMarkup& markup);
+/// All of a file's markups, which are none of them planes.
+std::vector<PointMarkup> read_point_markups(const std::filesystem::path& path);
+void write_point_markups(const std::filesystem::path& path,
+                         const std::vector<PointMarkup>& markups);
 
-/// The labelled points of a Fiducial file; a label that appears twice is refused.
+/// The labelled points of a Fiducial file, which may hold none yet; a label that appears twice is
+/// refused.
 Landmarks read_landmarks(const std::filesystem::path& path);
 void write_landmarks(const std::filesystem::path& path, const Landmarks& landmarks);
 

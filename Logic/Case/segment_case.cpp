@@ -44,8 +44,10 @@ std::vector<std::string> check_cuts(const CaseSettings& s)
       require_file(curve.markup, "/osteotomies/curves/markup");
       (void)read_points(curve.markup);
     }
+    // a list without points is one that is placed later, on the surfaces that this step makes
+    const bool placed_later = !o.fragment.empty() && landmarks.empty() && !s.landmarks.empty();
     fragments.push_back(
-        o.template_name.empty()
+        o.template_name.empty() || placed_later
             ? o.fragment
             : osteotomy_from_template(o.template_name, o.fragment, landmarks, o.kerf_mm).fragment);
   }

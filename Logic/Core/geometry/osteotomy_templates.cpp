@@ -324,6 +324,16 @@ const std::map<std::string, std::function<Osteotomy(const Face&)>>& templates()
   return known;
 }
 
+void require_known(const std::string& name)
+{
+  if (templates().count(name))
+    return;
+  std::string known;
+  for (const auto& entry : templates())
+    known += (known.empty() ? "" : ", ") + entry.first;
+  throw Error("osteotomy template '" + name + "'", "it is not known", "use one of " + known);
+}
+
 } // namespace
 
 std::vector<std::string> osteotomy_template_names()
@@ -334,18 +344,34 @@ std::vector<std::string> osteotomy_template_names()
   return names;
 }
 
+std::vector<std::string> landmarks_of_template(const std::string& name)
+{
+  require_known(name);
+  if (name == "genioplasty")
+    return {"Or_R", "Or_L", "B", "Pg", "Me", "Go_R", "Go_L"};
+  if (name == "zygoma-right")
+    return {"N", "Or_R", "Or_L", "ANS", "PNS", "U6_R", "Zy_R"};
+  if (name == "zygoma-left")
+    return {"N", "Or_R", "Or_L", "ANS", "PNS", "U6_L", "Zy_L"};
+  std::vector<std::string> needed = {"Or_R", "Or_L", "ANS", "PNS", "U1", "U6_R", "U6_L"};
+  auto add = [&](std::initializer_list<const char*> more)
+  { needed.insert(needed.end(), more.begin(), more.end()); };
+  if (name == "le-fort-2" || name == "le-fort-3")
+    add({"N"});
+  else if (name == "bsso")
+    add({"B", "Me", "Go_R", "Go_L"});
+  else if (name == "bsso-right")
+    add({"Me", "Go_R", "Co_R"});
+  else if (name == "bsso-left")
+    add({"Me", "Go_L", "Co_L"});
+  return needed;
+}
+
 Osteotomy osteotomy_from_template(const std::string& name, const std::string& fragment,
                                   const Landmarks& landmarks, double kerf_mm)
 {
-  const auto found = templates().find(name);
-  if (found == templates().end())
-  {
-    std::string known;
-    for (const auto& entry : templates())
-      known += (known.empty() ? "" : ", ") + entry.first;
-    throw Error("osteotomy template '" + name + "'", "it is not known", "use one of " + known);
-  }
-  Osteotomy osteotomy = found->second(Face(name, landmarks));
+  require_known(name);
+  Osteotomy osteotomy = templates().at(name)(Face(name, landmarks));
   osteotomy.kerf_mm = kerf_mm;
   if (!fragment.empty())
     osteotomy.fragment = fragment;

@@ -14,6 +14,9 @@ using Landmarks = std::map<std::string, Vec3>;
 /// The names that `osteotomy_from_template` knows.
 std::vector<std::string> osteotomy_template_names();
 
+/// The landmarks without which a template cannot be placed. Throws Error on an unknown name.
+std::vector<std::string> landmarks_of_template(const std::string& name);
+
 /// Places a template's planes by landmarks, as a first cut that the surgeon edits.
 ///
 /// - `le-fort-1`: level of the piriform rim, 5 mm above the palatal plane; behind the tuberosities;

@@ -132,6 +132,24 @@ TEST(OsteotomyTemplates, OneInsideAnotherIsRefused)
       {"'maxilla' and 'mid-face'", "same piece"});
 }
 
+TEST(OsteotomyTemplates, NeedsTheLandmarksThatItSaysAndNoOthers)
+{
+  for (const std::string& name : osteotomy_template_names())
+  {
+    Landmarks needed;
+    for (const std::string& landmark : landmarks_of_template(name))
+      needed[landmark] = head().landmarks.at(landmark);
+    EXPECT_NO_THROW((void)osteotomy_from_template(name, "", needed, 1)) << name;
+    for (const auto& [landmark, place] : needed)
+    {
+      Landmarks others = head().landmarks;
+      others.erase(landmark);
+      test::expect_error([&] { (void)osteotomy_from_template(name, "", others, 1); },
+                         {name, "'" + landmark + "'"});
+    }
+  }
+}
+
 TEST(OsteotomyTemplates, AMissingLandmarkIsNamed)
 {
   for (const std::string& name : osteotomy_template_names())
