@@ -97,7 +97,7 @@ void vtkFaceToBoneSculptRepresentation::UpdateShown()
     const f2b::Vec3& d = skin.displacement()[v];
     points->SetPoint(id, skin.points()[v].data());
     displacement->SetTuple(id, d.data());
-    length->SetTuple1(id, d.dot(skin.normals()[v]) < 0 ? -d.norm() : d.norm());
+    length->SetTuple1(id, d.dot(skin.normals()[v]));
     mask->SetTuple1(id, skin.mask()[v]);
   }
   SetNormals(this->Shown, skin.normals());

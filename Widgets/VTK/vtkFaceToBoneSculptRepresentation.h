@@ -27,7 +27,8 @@ public:
                                                                vtkIndent indent) override;
 
   static constexpr const char* DisplacementArray = "displacement";
-  static constexpr const char* LengthArray = "displacement_mm"; ///< signed: negative is inwards
+  static constexpr const char* LengthArray =
+      "displacement_mm"; ///< along the skin's normal, outward
   static constexpr const char* MaskArray = "mask";
 
   /// \param session  may be null: nothing is shown
