@@ -1,4 +1,5 @@
 #include "qFaceToBoneCaseDocument.h"
+#include "qFaceToBoneRulers.h"
 
 #include <Bridge/grid_file.hpp>
 #include <Bridge/json_file.hpp>
@@ -34,20 +35,6 @@ Progress partOf(const Progress& whole, double begin, double end)
 {
   return [whole, begin, end](std::string_view what, double fraction)
   { whole(what, begin + fraction * (end - begin)); };
-}
-
-vtkSmartPointer<vtkImageData> imageOf(const f2b::ScalarGrid& grid)
-{
-  auto image = vtkSmartPointer<vtkImageData>::New();
-  image->SetDimensions(grid.size.x(), grid.size.y(), grid.size.z());
-  image->SetOrigin(grid.origin.x(), grid.origin.y(), grid.origin.z());
-  image->SetSpacing(grid.spacing, grid.spacing, grid.spacing);
-  vtkNew<vtkFloatArray> values;
-  values->SetName("HU");
-  values->SetNumberOfTuples(static_cast<vtkIdType>(grid.values.size()));
-  std::copy(grid.values.begin(), grid.values.end(), values->GetPointer(0));
-  image->GetPointData()->SetScalars(values);
-  return image;
 }
 
 QString thousands(vtkIdType count)
@@ -93,7 +80,8 @@ void writeReport(const std::string& folder, const Progress& progress)
 } // namespace
 
 qFaceToBoneCase::qFaceToBoneCase(QObject* parent)
-    : QObject(parent), m_document(std::make_unique<Document>())
+    : QObject(parent), m_document(std::make_unique<Document>()),
+      m_rulers(new qFaceToBoneRulers(&m_objects, this))
 {
   connect(&m_task, &qFaceToBoneTask::ended, this, &qFaceToBoneCase::changed);
   connect(&m_task, &qFaceToBoneTask::started, this, &qFaceToBoneCase::changed);
@@ -138,68 +126,6 @@ QString qFaceToBoneCase::name() const
                                          : QString::fromStdString(found->get<std::string>());
 }
 
-bool qFaceToBoneCase::open(const QString& path)
-{
-  if (m_task.isRunning())
-    return fail(tr("%1 is still going on; cancel it first").arg(m_task.title()));
-  return attempt(
-      [&]
-      {
-        const QFileInfo given(path);
-        if (!given.exists())
-          throw f2b::Error(path.toStdString(), "there is no such file or folder",
-                           "choose a case folder or a case file (JSON)");
-        QFileInfo settings = given;
-        if (given.isDir() || given.suffix() == "mrml")
-          settings = QFileInfo(
-              QDir(given.isDir() ? given.filePath() : given.path()).filePath("case.json"));
-        if (!settings.exists())
-          throw f2b::Error(path.toStdString(), "it is no case: it holds no case.json",
-                           "choose a case folder or a case file (JSON)");
-        const bool begun = QFileInfo::exists(settings.dir().filePath("segment.json"));
-        QString folder = settings.absolutePath();
-        if (!begun)
-          folder = settings.dir().absoluteFilePath(settings.completeBaseName() + "-facetobone");
-        Document document;
-        document.source = settings.absoluteFilePath().toStdString();
-        const QString inside = QDir(folder).filePath("case.json");
-        if (!begun && QFileInfo::exists(inside)) // goes on where it was left
-          document.source = inside.toStdString();
-        document.json = f2b::read_json(document.source);
-        (void)f2b::parse_settings(document.json, document.source);
-        document.json = f2b::with_absolute_paths(document.json, document.source);
-        close();
-        *m_document = std::move(document);
-        m_folder = folder;
-        load(true);
-      });
-}
-
-bool qFaceToBoneCase::openSample(const QString& folder, double meshDensity)
-{
-  const std::string patient = QDir(folder).filePath("patient").toStdString();
-  const auto write = [patient](const Progress& progress)
-  {
-    if (!std::filesystem::exists(patient + "/case.json"))
-      f2b::write_sample(patient, {}, progress);
-  };
-  const auto begin = [this, patient, folder, meshDensity]
-  {
-    close();
-    m_document->source = patient + "/case.json";
-    m_document->json =
-        f2b::with_absolute_paths(f2b::read_json(m_document->source), m_document->source);
-    m_document->json["mesh"]["density"] = meshDensity;
-    m_folder = QDir(folder).filePath("case");
-    if (has("case.json"))
-      m_document->json = f2b::read_json(m_document->source = file("case.json"));
-    load(true);
-  };
-  if (!m_task.start(tr("Making the sample case"), write, begin))
-    return fail(tr("%1 is still going on; cancel it first").arg(m_task.title()));
-  return true;
-}
-
 vtkImageData* qFaceToBoneCase::ct() const
 {
   return m_ct;
@@ -222,6 +148,7 @@ void qFaceToBoneCase::close()
   m_notes.clear();
   m_cuts.clear();
   m_bone = nullptr;
+  m_rulers->load("");
   m_objects.clear();
   emit loaded();
   emit changed();
@@ -255,6 +182,7 @@ void qFaceToBoneCase::load(bool meshIsNew)
     m_document->json =
         f2b::with_absolute_paths(f2b::read_json(m_document->source), m_document->source);
   }
+  loadLandmarksOfCase();
   if (meshIsNew)
   {
     m_bone = nullptr;
@@ -262,13 +190,12 @@ void qFaceToBoneCase::load(bool meshIsNew)
   }
   else
     m_cuts.keep();
-  m_document->landmarks.clear();
-  if (has("landmarks.mrk.json"))
-    m_document->landmarks = f2b::read_landmarks(file("landmarks.mrk.json"));
   if (has("ct.nrrd"))
-    m_ct = imageOf(f2b::read_scalar_grid(file("ct.nrrd")));
+    m_ct = qFaceToBoneImageOf(f2b::read_scalar_grid(file("ct.nrrd")));
   if (has("skin.vtp"))
   {
+    m_objects.remove(rawSkinKey);
+    m_objects.remove(rawBoneKey);
     showSurface("skin", tr("Face before"), f2b::read_surface(file("skin.vtp")), {235, 186, 161}, 1,
                 false);
     loadSculpting();
@@ -329,7 +256,7 @@ qFaceToBoneCase::StepState qFaceToBoneCase::state(Step step) const
     return s;
   case Surfaces:
     s.done = has("skin.vtp");
-    s.text = !s.done ? tr("Skin and bone not yet found")
+    s.text = !s.done ? (m_ct ? tr("The CT is read; press Find") : tr("Skin and bone not yet found"))
                      : tr("Skin of %1 vertices")
                            .arg(skin ? thousands(skin->surface->GetNumberOfPoints()) : "?");
     s.possible = idle && isOpen();
@@ -337,9 +264,11 @@ qFaceToBoneCase::StepState qFaceToBoneCase::state(Step step) const
     return s;
   case Cuts:
     s.done = has("cut.json") && has("mesh.json") && !m_cuts.isMoved();
-    s.possible = idle && has("skin.vtp") && m_cuts.count() > 0;
-    s.text = s.done                ? tr("%1 fragment(s), tissue meshed").arg(m_fragments.size())
-             : !has("skin.vtp")    ? tr("Needs surfaces, then landmarks")
+    s.possible = idle && has("skin.vtp") && m_cuts.count() > 0 && missingLandmarks().isEmpty();
+    s.text = s.done             ? tr("%1 fragment(s), tissue meshed").arg(m_fragments.size())
+             : !has("skin.vtp") ? tr("Needs surfaces, then landmarks")
+             : !missingLandmarks().isEmpty()
+                 ? tr("Place landmarks first (step 2): %1").arg(missingLandmarks().join(", "))
              : m_cuts.count() == 0 ? tr("Add a cut: a template, a plane or a line")
              : has("cut.json")     ? tr("Changed since the bone was cut")
                                    : tr("%1 cut(s) ready").arg(m_cuts.count());
@@ -347,11 +276,12 @@ qFaceToBoneCase::StepState qFaceToBoneCase::state(Step step) const
     return s;
   case Target:
     s.done = has("target.json") && !hasUnsavedChanges();
-    s.possible = idle && has("skin.vtp");
-    s.text = s.done                ? tr("The face to be reached is set")
-             : hasUnsavedChanges() ? tr("Sculpted, not yet kept")
-             : s.possible          ? tr("Sculpt it, or take the case's own")
-                                   : tr("Needs surfaces");
+    s.possible = idle && has("skin.vtp") && (hasUnsavedChanges() || hasTargetOfItsOwn());
+    s.text = s.done                    ? tr("The face to be reached is set")
+             : hasUnsavedChanges()     ? tr("Sculpted, not yet kept")
+             : s.possible              ? tr("Sculpt it, or take the case's own")
+             : idle && has("skin.vtp") ? tr("Sculpt the face, or move a landmark")
+                                       : tr("Needs surfaces");
     s.action = hasUnsavedChanges() ? tr("Keep") : tr("Take");
     return s;
   case Plan:
@@ -433,6 +363,12 @@ bool qFaceToBoneCase::start(Step step)
   }
   nlohmann::json document;
   if (!attempt([&] { document = documentFor(step); }) || !saveCuts())
+    return false;
+  if (!hasTargetOfItsOwn()) // none yet: a movement of the first fragment by nothing stands for it
+    document["target"]["from_movement"] = {
+        {document.at("osteotomies").at(0).value("fragment", std::string()),
+         nlohmann::json::object()}};
+  if (step == Surfaces && !attempt([this] { keepLandmarks(); }))
     return false;
   if (step <= Cuts) // the mesh goes, and what is kept of it in memory
   {

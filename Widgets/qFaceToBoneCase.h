@@ -14,9 +14,11 @@
 #include <mutex>
 #include <vector>
 
+class qFaceToBoneRulers;
 class vtkImageData;
 namespace f2b
 {
+struct CtPreview;
 class LivePlan;
 class SculptingSession;
 struct FollowedPlan;
@@ -68,10 +70,20 @@ public:
     double before = 0, planned = 0; ///< the same without a plan
   };
 
+  /// A point that templates and measures know by name.
+  struct Landmark
+  {
+    QString name, meaning;
+    bool placed = false;
+    bool needed = false;        ///< by the template that the cut uses
+    std::array<double, 3> at{}; ///< where it is placed [mm, RAS]
+  };
+
   explicit qFaceToBoneCase(QObject* parent = nullptr);
   ~qFaceToBoneCase() override;
 
   qFaceToBoneObjects* objects() { return &m_objects; }
+  qFaceToBoneRulers* rulers() { return m_rulers; }
   qFaceToBoneTask* task() { return &m_task; }             ///< of the steps
   qFaceToBoneTask* background() { return &m_background; } ///< of live preview and full solve
 
@@ -80,7 +92,8 @@ public:
   QString name() const;
   QString error() const { return m_error; } ///< of the last call that returned false
 
-  /// Opens a case folder, its case.json, or a case file to be worked on in a folder beside it.
+  /// Opens a case folder, its case.json, a case file to be worked on in a folder beside it, or a CT
+  /// alone (file or DICOM folder), which is read in the background.
   bool open(const QString& path);
   /// Makes the virtual patient in a folder and begins its case there, in the background.
   bool openSample(const QString& folder, double meshDensity);
@@ -92,6 +105,15 @@ public:
 
   /// The CT as segmented, RAS, axes R, A, S; null before the surfaces are there.
   vtkImageData* ct() const;
+
+  // the landmarks
+  std::vector<Landmark> landmarks() const;
+  /// Names that the cut's template needs and that are not placed.
+  QStringList missingLandmarks() const;
+  bool placeLandmark(const QString& name, const std::array<double, 3>& at);
+  bool removeLandmark(const QString& name);
+  /// Takes those of a file of Slicer fiducials; others stay.
+  bool loadLandmarks(const QString& path);
 
   // the cuts
   qFaceToBoneCuts* cuts() { return &m_cuts; }
@@ -114,10 +136,19 @@ public:
   bool moveLandmark(const QString& name, const std::array<double, 3>& by, double radiusMm);
   /// Mid-sagittal by the landmarks N, Or_R and Or_L; without them the middle of the skin.
   f2b::SymmetryPlane symmetryPlane() const;
+  /// The face at a point is dragged by a smooth warp, as one stroke; with a plane on both sides.
+  void beginDrag(const std::array<double, 3>& point, double radiusMm, bool bothSides);
+  void drag(const std::array<double, 3>& by);
+  void endDrag(bool keep);
+  /// Where a landmark of the face is now.
+  std::array<double, 3> landmarkOnFace(const QString& name) const;
   bool importTarget(const QString& path);
   bool exportTarget(const QString& path);
-  /// Keeps the sculpted face in the case folder, if it has changed.
+  /// Writes the sculpted face into the case folder, where it waits to be kept as the target.
   bool saveSculpted();
+  /// Back to the face that the case folder holds as the target.
+  void discardSculpted();
+  /// Whether the face has been sculpted and not yet been kept as the target.
   bool hasUnsavedChanges() const;
 
   // the plan
@@ -143,6 +174,7 @@ signals:
   void loaded();  ///< another case, or its surfaces
   void skinChanged();
   void planChanged();
+  void landmarksChanged();
 
 private:
   using Path = std::string;
@@ -150,7 +182,15 @@ private:
   bool fail(const QString& message);
   template <class Action>
   bool attempt(Action action);
+  bool openCt(const QString& path);
+  void beginCt(const QString& path, const QString& folder, const f2b::CtPreview& preview);
+  void showCt(const f2b::CtPreview& preview);
+  void previewCt();
   void load(bool meshIsNew);
+  void loadLandmarksOfCase();
+  void landmarksEdited();
+  void keepLandmarks();
+  bool hasTargetOfItsOwn() const;
   void loadSculpting();
   void loadCuts();
   void loadPlan();
@@ -185,18 +225,23 @@ private:
   std::shared_ptr<std::mutex> m_folderInUse = std::make_shared<std::mutex>();
   QString m_folder, m_error;
   qFaceToBoneObjects m_objects;
+  qFaceToBoneRulers* m_rulers;
   qFaceToBoneCuts m_cuts;
   vtkSmartPointer<vtkPolyData> m_bone;
   vtkSmartPointer<vtkImageData> m_ct;
   std::shared_ptr<f2b::SculptingSession> m_sculpting;
-  long m_savedRevision = 0;
+  long m_keptRevision = 0;  ///< the face as the target is; -1: none that is sculpted now
+  long m_savedRevision = 0; ///< the face as last written into the folder
   std::shared_ptr<f2b::LivePlan> m_live;
   std::unique_ptr<f2b::FollowedPlan> m_plan;
   std::vector<QString> m_fragments;
   std::vector<Ride> m_rides;
   QStringList m_notes;
+  struct Drag; ///< of a point of the face that is going on
+  std::unique_ptr<Drag> m_drag;
   bool m_following = true, m_solveAgain = false, m_prepareAgain = false;
-  int m_generation = 0; ///< of what is loaded: background results of an older one are dropped
+  bool m_firstImage = false; ///< a case is being opened: it is seen first, then the live preview
+  int m_generation = 0;      ///< of what is loaded: background results of an older one are dropped
   double m_shownShare = 1;
   qFaceToBoneTask m_task, m_background; // last: they end before what they use
 };

@@ -10,6 +10,8 @@
 #include <vtkPolyData.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace
 {
@@ -28,12 +30,12 @@ std::vector<f2b::CephalometricMeasure> measuresOf(const f2b::Landmarks& landmark
   }
 }
 
-double distanceTo(vtkPolyData* surface, const f2b::Vec3& p)
+double distanceTo(const std::vector<f2b::Vec3>& surface, const f2b::Vec3& p)
 {
   double nearest = std::numeric_limits<double>::infinity();
-  for (vtkIdType v = 0; v < surface->GetNumberOfPoints(); ++v)
-    nearest = std::min(nearest, (f2b::Vec3(surface->GetPoint(v)) - p).norm());
-  return nearest;
+  for (const f2b::Vec3& v : surface)
+    nearest = std::min(nearest, (v - p).squaredNorm());
+  return std::sqrt(nearest);
 }
 
 } // namespace
@@ -43,6 +45,15 @@ void qFaceToBoneCase::findRides()
 {
   m_rides.clear();
   const f2b::Landmarks& rest = m_document->landmarks;
+  const auto pointsOf = [this](const QString& key)
+  {
+    const qFaceToBoneObject* object = m_objects.find(key);
+    return object ? f2b::points_of(object->surface) : std::vector<f2b::Vec3>{};
+  };
+  const std::vector<f2b::Vec3> stays = pointsOf("uncut");
+  std::vector<std::vector<f2b::Vec3>> pieces;
+  for (const QString& fragment : m_fragments)
+    pieces.push_back(pointsOf("fragment/" + fragment));
   for (const f2b::LandmarkDefinition& definition : f2b::landmark_definitions())
   {
     const auto found = rest.find(definition.name);
@@ -58,15 +69,13 @@ void qFaceToBoneCase::findRides()
       const auto& teeth = f2b::tooth_landmarks();
       if (std::find(teeth.begin(), teeth.end(), definition.name) != teeth.end())
         at = f2b::bone_of_tooth(rest, definition.name);
-      const qFaceToBoneObject* stays = m_objects.find("uncut");
-      double nearest = stays ? distanceTo(stays->surface, at) : 0;
-      for (std::size_t f = 0; f < m_fragments.size(); ++f)
-        if (const qFaceToBoneObject* piece = m_objects.find("fragment/" + m_fragments[f]))
-          if (const double away = distanceTo(piece->surface, at); away < nearest)
-          {
-            nearest = away;
-            ride.fragment = static_cast<int>(f);
-          }
+      double nearest = stays.empty() ? 0 : distanceTo(stays, at);
+      for (std::size_t f = 0; f < pieces.size(); ++f)
+        if (const double away = distanceTo(pieces[f], at); away < nearest)
+        {
+          nearest = away;
+          ride.fragment = static_cast<int>(f);
+        }
     }
     m_rides.push_back(ride);
   }

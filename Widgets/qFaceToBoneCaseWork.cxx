@@ -5,6 +5,7 @@
 #include <Case/fragment_json.hpp>
 #include <Case/live_plan.hpp>
 #include <Core/error.hpp>
+#include <Core/geometry/cephalometry.hpp>
 #include <Core/geometry/nearest_vertex.hpp>
 #include <Core/sculpting/sculpting_session.hpp>
 
@@ -16,7 +17,9 @@
 #include <vtkPolyData.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <thread>
 
 namespace
 {
@@ -86,13 +89,15 @@ void qFaceToBoneCase::loadSculpting()
   }
   const auto kept = m_sculpting;
   m_sculpting = std::make_shared<f2b::SculptingSession>(reference, displacement);
-  m_savedRevision = unfinished ? -1 : 0;
+  m_savedRevision = m_sculpting->revision();
+  m_keptRevision = unfinished ? -1 : m_sculpting->revision();
   // a step that left the face alone leaves its history alone, too
   if (kept && kept->skin().rest() == m_sculpting->skin().rest() &&
       kept->skin().displacement() == m_sculpting->skin().displacement())
   {
     m_sculpting = kept;
-    m_savedRevision = unfinished ? -1 : kept->revision();
+    m_savedRevision = kept->revision();
+    m_keptRevision = unfinished ? -1 : kept->revision();
   }
   auto shown = vtkSmartPointer<vtkPolyData>::New();
   shown->DeepCopy(f2b::with_points(skin, m_sculpting->skin().points()));
@@ -102,14 +107,28 @@ void qFaceToBoneCase::loadSculpting()
 
 bool qFaceToBoneCase::hasUnsavedChanges() const
 {
-  return m_sculpting && m_sculpting->revision() != m_savedRevision;
+  return m_sculpting && m_sculpting->revision() != m_keptRevision;
 }
 
 bool qFaceToBoneCase::saveSculpted()
 {
-  if (!hasUnsavedChanges() || m_savedRevision == -1)
+  if (!hasUnsavedChanges() || m_sculpting->revision() == m_savedRevision)
     return true;
-  return exportTarget(QString::fromStdString(file(sculptedFileName)));
+  if (!exportTarget(QString::fromStdString(file(sculptedFileName))))
+    return false;
+  m_savedRevision = m_sculpting->revision();
+  return true;
+}
+
+void qFaceToBoneCase::discardSculpted()
+{
+  if (!hasUnsavedChanges())
+    return;
+  std::error_code ignored; // where it was never written
+  std::filesystem::remove(file(sculptedFileName), ignored);
+  m_sculpting.reset();
+  loadSculpting();
+  emit changed();
 }
 
 bool qFaceToBoneCase::exportTarget(const QString& path)
@@ -165,6 +184,11 @@ QStringList qFaceToBoneCase::faceLandmarks() const
   if (m_sculpting)
     for (const auto& [name, p] : m_document->landmarks)
     {
+      const auto& known = f2b::landmark_definitions();
+      if (std::any_of(known.begin(), known.end(),
+                      [&, landmark = name](const f2b::LandmarkDefinition& d)
+                      { return d.name == landmark && !d.soft_tissue; }))
+        continue; // of the bone, however near
       const auto& rest = m_sculpting->skin().rest();
       if (std::any_of(rest.begin(), rest.end(),
                       [&, p = p](const f2b::Vec3& v) { return (v - p).norm() < near; }))
@@ -225,8 +249,13 @@ void qFaceToBoneCase::prepareLive()
   m_background.start(
       tr("Preparing the live preview"),
       [made, folder, source = m_document->source, document = documentFor(Plan),
-       inUse = m_folderInUse](const f2b::Progress& progress)
+       inUse = m_folderInUse, wait = m_firstImage](const f2b::Progress& progress)
       {
+        for (int tenths = 0; wait && tenths < 15; ++tenths) // it would take all cores from drawing
+        {
+          progress("reading the mesh", 0);
+          std::this_thread::sleep_for(std::chrono::milliseconds(100));
+        }
         {
           const std::lock_guard<std::mutex> alone(*inUse);
           progress("reading the mesh", 0);

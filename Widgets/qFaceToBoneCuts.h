@@ -56,6 +56,8 @@ public:
   void load(const nlohmann::json& document, const nlohmann::json& unfinished,
             const std::string& landmarksFile);
   void clear();
+  /// Other landmarks: cuts that are as their templates put them go where these say.
+  void setLandmarks(const std::string& file);
   /// The case has taken over rules and what is to be spared.
   void keep();
   /// What the case file says of them; drawn cuts are written to files in a folder. Throws Error

@@ -223,6 +223,22 @@ bool qFaceToBoneCuts::placeAnew(int index)
   }
 }
 
+void qFaceToBoneCuts::setLandmarks(const std::string& file)
+{
+  m_landmarksFile = file;
+  const f2b::Landmarks landmarks = f2b::read_landmarks(file);
+  for (qFaceToBoneCut& cut : m_now->cuts)
+    if (!cut.drawn && !cut.templateName.empty())
+    {
+      json settings = {
+          {"template", cut.templateName}, {"fragment", cut.fragment}, {"kerf_mm", cut.kerf}};
+      if (!cut.movement.is_null())
+        settings["movement"] = cut.movement;
+      cut = qFaceToBoneReadCut(settings, landmarks);
+    }
+  told();
+}
+
 bool qFaceToBoneCuts::setRule(const QString& fragment, std::size_t coordinate,
                               const qFaceToBoneRule& rule)
 {

@@ -5,12 +5,35 @@
 
 #include <QHeaderView>
 #include <QLabel>
+#include <QPushButton>
 #include <QTableWidget>
 #include <QVBoxLayout>
 
 qFaceToBoneMeasuresPanel::qFaceToBoneMeasuresPanel(qFaceToBoneCase* work, QWidget* parent)
-    : QWidget(parent), m_case(work), m_table(new QTableWidget(0, 3)), m_note(new QLabel)
+    : QWidget(parent), m_case(work), m_table(new QTableWidget(0, 3)), m_note(new QLabel),
+      m_distance(new QPushButton(tr("Distance"))), m_angle(new QPushButton(tr("Angle")))
 {
+  m_distance->setObjectName("distance");
+  m_angle->setObjectName("angle");
+  m_distance->setToolTip(qFaceToBoneToolTip(tr("Click two points on skin or bone in the 3D view"),
+                                            tr("Kept under Objects; its points can be dragged"),
+                                            tr("ruler")));
+  m_angle->setToolTip(qFaceToBoneToolTip(tr("Click three points; the second is the corner"),
+                                         tr("Kept under Objects; its points can be dragged"),
+                                         tr("angle of three points")));
+  auto* rulers = new QHBoxLayout;
+  rulers->addWidget(new QLabel(tr("Measure by hand")), 1);
+  for (QPushButton* button : {m_distance, m_angle})
+  {
+    button->setCheckable(true);
+    rulers->addWidget(button);
+    connect(button, &QPushButton::clicked, this,
+            [this, button](bool on)
+            {
+              (button == m_distance ? m_angle : m_distance)->setChecked(false);
+              emit rulerWanted(!on ? 0 : button == m_distance ? 2 : 3);
+            });
+  }
   m_table->setHorizontalHeaderLabels({tr("Measure"), tr("Before"), tr("Planned")});
   m_table->verticalHeader()->hide();
   m_table->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
@@ -22,11 +45,20 @@ qFaceToBoneMeasuresPanel::qFaceToBoneMeasuresPanel(qFaceToBoneCase* work, QWidge
   m_note->setMargin(4);
   auto* parts = new QVBoxLayout(this);
   parts->setContentsMargins(0, 0, 0, 0);
+  parts->addLayout(rulers);
   parts->addWidget(m_note);
   parts->addWidget(m_table, 1);
   connect(m_case, &qFaceToBoneCase::planChanged, this, &qFaceToBoneMeasuresPanel::update);
   connect(m_case, &qFaceToBoneCase::loaded, this, &qFaceToBoneMeasuresPanel::update);
+  connect(m_case, &qFaceToBoneCase::landmarksChanged, this, &qFaceToBoneMeasuresPanel::update);
   update();
+}
+
+void qFaceToBoneMeasuresPanel::rulerPlaced()
+{
+  m_distance->setChecked(false);
+  m_angle->setChecked(false);
+  emit rulerWanted(0);
 }
 
 void qFaceToBoneMeasuresPanel::showEvent(QShowEvent* event)

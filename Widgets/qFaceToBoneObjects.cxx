@@ -20,6 +20,7 @@ void qFaceToBoneObjects::put(const qFaceToBoneObject& object)
 {
   if (qFaceToBoneObject* there = of(object.key))
   {
+    there->name = object.name;
     there->surface = object.surface;
     there->matrix = object.matrix;
     emit objectChanged(object.key);

@@ -21,6 +21,7 @@ struct qFaceToBoneObject
   QColor colour;
   double opacity = 1;
   bool visible = true;
+  bool removable = false; ///< by the user, as a ruler is
   /// Where it has been moved, row by row; rest to moved points.
   std::array<double, 16> matrix{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
   QString colourArray; ///< point array that colours it; empty: its own colour
@@ -54,6 +55,7 @@ public:
 signals:
   void listChanged();
   void objectChanged(const QString& key);
+  void removeWanted(const QString& key); ///< by the user
 
 private:
   qFaceToBoneObject* of(const QString& key);

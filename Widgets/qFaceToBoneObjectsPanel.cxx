@@ -14,13 +14,15 @@
 qFaceToBoneObjectsPanel::qFaceToBoneObjectsPanel(qFaceToBoneObjects* objects, QWidget* parent)
     : QWidget(parent), m_objects(objects), m_tree(new QTreeWidget)
 {
-  m_tree->setColumnCount(3);
-  m_tree->setHeaderLabels({tr("Object"), tr("Colour"), tr("Opacity")});
+  m_tree->setColumnCount(4);
+  m_tree->setHeaderLabels({tr("Object"), tr("Colour"), tr("Opacity"), QString()});
   m_tree->setRootIsDecorated(false);
   m_tree->header()->setStretchLastSection(false);
   m_tree->header()->setSectionResizeMode(0, QHeaderView::Stretch);
   m_tree->header()->resizeSection(1, 52);
   m_tree->header()->resizeSection(2, 90);
+  m_tree->header()->setMinimumSectionSize(24);
+  m_tree->header()->resizeSection(3, 26);
   m_tree->setSelectionMode(QAbstractItemView::NoSelection);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -76,6 +78,18 @@ void qFaceToBoneObjectsPanel::addItem(const QString& key)
           });
   m_tree->setItemWidget(item, 1, colour);
   m_tree->setItemWidget(item, 2, opacity);
+  if (const qFaceToBoneObject* object = m_objects->find(key); object && object->removable)
+  {
+    auto* remove = new QPushButton(QString::fromUtf8("\xc3\x97"));
+    remove->setFixedSize(20, 18);
+    remove->setObjectName("remove");
+    remove->setToolTip(
+        qFaceToBoneToolTip(tr("Takes it off the list"), tr("A ruler"), tr("delete")));
+    connect(
+        remove, &QPushButton::clicked, this, [this, key] { emit m_objects->removeWanted(key); },
+        Qt::QueuedConnection); // the button goes with it
+    m_tree->setItemWidget(item, 3, remove);
+  }
   m_updating = false;
   updateItem(key);
 }

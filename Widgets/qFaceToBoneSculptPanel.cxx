@@ -82,6 +82,8 @@ qFaceToBoneSculptPanel::qFaceToBoneSculptPanel(qFaceToBoneCase* work, QWidget* p
   connect(m_curve, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
           &qFaceToBoneSculptPanel::readControls);
   connect(m_case, &qFaceToBoneCase::loaded, this, &qFaceToBoneSculptPanel::updateLandmarks);
+  connect(m_case, &qFaceToBoneCase::landmarksChanged, this,
+          &qFaceToBoneSculptPanel::updateLandmarks);
   readControls();
 }
 
@@ -158,7 +160,7 @@ QWidget* qFaceToBoneSculptPanel::makeSettings()
 
 QWidget* qFaceToBoneSculptPanel::makeLandmarkMove()
 {
-  auto* group = new QGroupBox(tr("Move a landmark by numbers"));
+  auto* group = new QGroupBox(tr("Move a landmark"));
   auto* grid = new QGridLayout(group);
   m_landmark = new QComboBox;
   m_landmark->setMinimumWidth(60);
@@ -184,6 +186,13 @@ QWidget* qFaceToBoneSculptPanel::makeLandmarkMove()
   grid->addWidget(new QLabel(tr("within")), 3, 0);
   grid->addWidget(m_moveRadius, 3, 1);
   grid->addWidget(move, 3, 2);
+  m_handles = new QCheckBox(tr("Handles in the 3D view"));
+  m_handles->setObjectName("handles");
+  m_handles->setToolTip(qFaceToBoneToolTip(tr("Drag a landmark and the face follows smoothly"),
+                                           tr("From the side: sn forward"),
+                                           tr("landmark warp within the radius")));
+  grid->addWidget(m_handles, 4, 0, 1, 3);
+  connect(m_handles, &QCheckBox::toggled, this, &qFaceToBoneSculptPanel::handlesShown);
   return group;
 }
 
@@ -228,6 +237,21 @@ QWidget* qFaceToBoneSculptPanel::makeMaskAndFiles()
           QMessageBox::warning(this, tr("Export"), m_case->error());
       });
   return group;
+}
+
+bool qFaceToBoneSculptPanel::showsHandles() const
+{
+  return m_handles->isChecked();
+}
+
+double qFaceToBoneSculptPanel::warpRadius() const
+{
+  return m_moveRadius->value();
+}
+
+bool qFaceToBoneSculptPanel::isSymmetric() const
+{
+  return m_symmetric->isChecked();
 }
 
 bool qFaceToBoneSculptPanel::isSculpting() const

@@ -32,10 +32,15 @@ public:
   /// Shows a brush that was changed in the 3D view.
   void setBrush(const f2b::Brush& brush);
   bool isSculpting() const;
+  /// Whether landmarks of the face are to be handles that drag it, how far, and on both sides alike.
+  bool showsHandles() const;
+  double warpRadius() const;
+  bool isSymmetric() const;
 
 signals:
   void brushChanged();
   void sculptingChanged(bool on);
+  void handlesShown(bool on);
 
 private:
   QWidget* makeBrushes();
@@ -52,7 +57,7 @@ private:
   QButtonGroup* m_kinds;
   QDoubleSpinBox *m_radius, *m_strength, *m_depth;
   QComboBox* m_curve;
-  QCheckBox *m_symmetric, *m_frontOnly, *m_depthLimited;
+  QCheckBox *m_symmetric, *m_frontOnly, *m_depthLimited, *m_handles;
   QComboBox* m_landmark;
   QDoubleSpinBox *m_move[3], *m_moveRadius;
 };

@@ -763,6 +763,37 @@ def mesh_growth(tier):
     return rows + [("time grows with this power of the number", exponent, "<= 1.2", exponent <= 1.2)]
 
 
+def window_pictures(tier):
+    """The window driven through every step of two cases, pictured at 1920 x 1080 and 1366 x 768."""
+    tier.run("sample", "-o", tier.work / "window-patient")
+    rows = []
+    for name, case in (("sample", tier.work / "window-patient" / "case.json"), ("cthead_unc", tier.real_case("cthead_unc"))):
+        settings = load(case)
+        settings["mesh"] = {"density": 0.3}
+        if "landmarks" in settings:
+            settings["landmarks"] = str(case.parent / settings["landmarks"])
+        if name == "sample":
+            settings["ct"] = str(case.parent / settings["ct"])
+            settings["target"]["warp"] = {**settings["target"]["warp"], **{
+                end: str(case.parent / settings["target"]["warp"][end]) for end in ("from", "to")}}
+        copy = tier.work / f"window-{name}.json"
+        copy.write_text(json.dumps(settings))
+        os.environ["FACETOBONE_PROGRAM"] = str(tier.program)
+        told = told_by(tier, "window_pictures", copy, tier.work / f"window-{name}")
+        for fault in told["clipped"] + told["unnamed"]:
+            print(f"{name}: {fault}", flush=True)
+        rows += [(f"{name}: pictures, to be looked at", told["pictures"], ">= 30", told["pictures"] >= 30),
+                 (f"{name}: clipped words", len(told["clipped"]), "0", not told["clipped"]),
+                 (f"{name}: controls without a name", len(told["unnamed"]), "0", not told["unnamed"]),
+                 (f"{name}: mouse move to moved fragments, processor [ms]", told["move_ms"]["mean"], "<= 50", told["move_ms"]["mean"] <= 50),
+                 (f"{name}: the same, largest", told["move_ms"]["largest"], "printed", True),
+                 (f"{name}: moves of 20 that the fragments followed", told["move_ms"]["moves_that_fragments_followed"], "> 15",
+                  told["move_ms"]["moves_that_fragments_followed"] > 15),
+                 (f"{name}: CT alone, seen after [s]", told["bare_ct"]["seconds_to_first_image"], "printed", True),
+                 (f"{name}: planned case, seen again after [s]", told["seconds_to_reopened_image"], "printed", True)]
+    return rows
+
+
 CHECKS = {
     "cthead_unc": lambda tier: real_ct(tier, "cthead_unc"),
     "phantom_imagex": lambda tier: real_ct(tier, "phantom_imagex"),
@@ -786,6 +817,7 @@ CHECKS = {
     "fuzz": fuzz,
     "benchmarks": benchmarks,
     "scenes": scenes,
+    "window_pictures": window_pictures,
     "sanitizers": sanitizers,
     "window_events": window_events,
 }

@@ -11,6 +11,7 @@
 #include <QElapsedTimer>
 #include <QEventLoop>
 #include <QMessageBox>
+#include <QPushButton>
 #include <QSettings>
 #include <QStandardPaths>
 #include <QSurfaceFormat>
@@ -101,6 +102,24 @@ protected:
   {
     return wait_until([&] { return !work()->background()->isRunning(); }, seconds);
   }
+  /// Presses a button of the next question of what becomes of unkept work; how often so far is in
+  /// `answered`.
+  void answer(QMessageBox::StandardButton button)
+  {
+    auto* waiting = new QTimer(window.get());
+    QObject::connect(waiting, &QTimer::timeout, window.get(),
+                     [this, waiting, button]
+                     {
+                       auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+                       if (!box || box->objectName() != "unsaved")
+                         return;
+                       waiting->deleteLater();
+                       ++answered;
+                       box->button(button)->click();
+                     });
+    waiting->start(0);
+  }
+  int answered = 0;
   /// The text of the box that complains, which is closed; empty if there is none.
   QString complaint()
   {

@@ -1,6 +1,8 @@
 #include "Widgets/desktop_patient.hpp"
 #include "Widgets/desktop_stage.hpp"
 
+#include "qFaceToBoneLandmarksPanel.h"
+#include "qFaceToBoneRulers.h"
 #include "qFaceToBoneSliceView.h"
 #include "qFaceToBoneStepsPanel.h"
 #include "qFaceToBoneThreeDView.h"
@@ -8,6 +10,7 @@
 #include "vtkFaceToBoneSculptWidget.h"
 
 #include <Bridge/json_file.hpp>
+#include <Bridge/markups.hpp>
 #include <Case/verbs.hpp>
 #include <Core/sculpting/sculpting_session.hpp>
 
@@ -68,7 +71,10 @@ protected:
   /// Where a vertex of the face is seen, in the 3D view's own pixels.
   QPoint pixel_of(std::size_t vertex)
   {
-    const Vec3 p = work()->sculpting()->skin().points()[vertex];
+    return pixel_of(work()->sculpting()->skin().points()[vertex]);
+  }
+  QPoint pixel_of(const Vec3& p)
+  {
     vtkRenderer* renderer = window->threeDView()->mainRenderer();
     renderer->SetWorldPoint(p.x(), p.y(), p.z(), 1);
     renderer->WorldToDisplay();
@@ -182,7 +188,13 @@ TEST_F(MainWindow, SculptedFaceIsThereAgainAfterClosingUnkept)
   sculpt_nose();
   const auto sculpted = displacement();
   const QString opened = work()->folder();
-  window->close();
+  answer(QMessageBox::Cancel);
+  EXPECT_FALSE(window->close());
+  EXPECT_EQ(answered, 1);
+  EXPECT_EQ(displacement(), sculpted);
+  answer(QMessageBox::Save);
+  EXPECT_TRUE(window->close());
+  EXPECT_EQ(answered, 2);
   window = std::make_unique<qFaceToBoneMainWindow>();
   window->show();
   ASSERT_TRUE(window->open(opened));
@@ -191,6 +203,142 @@ TEST_F(MainWindow, SculptedFaceIsThereAgainAfterClosingUnkept)
   ASSERT_EQ(recovered.size(), sculpted.size());
   for (std::size_t v = 0; v < sculpted.size(); ++v)
     ASSERT_LT((recovered[v] - sculpted[v]).norm(), 1e-9);
+  // what is sculpted on the recovered face is saved, too
+  window->steps()->setCurrentStep(qFaceToBoneCase::Target);
+  window->threeDView()->setPreset(qFaceToBoneThreeDView::Right);
+  QCoreApplication::processEvents();
+  sculpt_nose();
+  const auto further = displacement();
+  ASSERT_NE(further, recovered);
+  EXPECT_TRUE(work()->saveSculpted());
+  window = std::make_unique<qFaceToBoneMainWindow>(); // without a word, as after a crash
+  ASSERT_TRUE(window->open(opened));
+  for (std::size_t v = 0; v < further.size(); ++v)
+    ASSERT_LT((displacement()[v] - further[v]).norm(), 1e-9);
+}
+
+TEST_F(MainWindow, DiscardedFaceIsGone)
+{
+  open_segmented();
+  const auto rest = displacement();
+  sculpt_nose();
+  EXPECT_TRUE(work()->saveSculpted());
+  const QString opened = work()->folder();
+  answer(QMessageBox::Discard);
+  EXPECT_TRUE(window->close());
+  EXPECT_EQ(answered, 1);
+  window = std::make_unique<qFaceToBoneMainWindow>();
+  ASSERT_TRUE(window->open(opened));
+  EXPECT_FALSE(work()->hasUnsavedChanges());
+  EXPECT_EQ(displacement(), rest);
+}
+
+/// A CT alone is seen at once, says what it lacks, and gets there when that is given.
+TEST_F(MainWindow, BareCtIsShownAtOnceAndAsksForLandmarks)
+{
+  const auto patient = coarse_patient().folder;
+  std::filesystem::copy(patient / "ct.nrrd", folder / "head.nrrd");
+  ASSERT_TRUE(window->open(QString::fromStdString((folder / "head.nrrd").string())));
+  ASSERT_TRUE(wait_until([&] { return !work()->task()->isRunning(); }, 120));
+  EXPECT_EQ(complaint(), "");
+  ASSERT_TRUE(work()->isOpen());
+  EXPECT_TRUE(work()->ct());
+  ASSERT_TRUE(work()->objects()->find("raw/bone"));
+  EXPECT_GT(work()->objects()->find("raw/bone")->surface->GetNumberOfPoints(), 1000);
+  EXPECT_EQ(window->steps()->currentStep(), int(qFaceToBoneCase::Surfaces));
+  EXPECT_TRUE(state(qFaceToBoneCase::Surfaces).possible);
+  ASSERT_EQ(run(qFaceToBoneCase::Surfaces), "");
+  EXPECT_FALSE(work()->objects()->find("raw/bone"));
+  ASSERT_TRUE(work()->objects()->find("bone"));
+
+  EXPECT_FALSE(state(qFaceToBoneCase::Cuts).possible);
+  EXPECT_NE(state(qFaceToBoneCase::Cuts).text.indexOf("ANS"), -1);
+  EXPECT_FALSE(state(qFaceToBoneCase::Target).possible) << "there is no target to take";
+  EXPECT_TRUE(work()->measures().empty());
+
+  // one placed with the mouse, one at the crosshair, the others from a file
+  window->steps()->setCurrentStep(qFaceToBoneCase::Surfaces);
+  window->threeDView()->setPreset(qFaceToBoneThreeDView::Frontal);
+  work()->objects()->setVisible("skin", false);
+  QCoreApplication::processEvents();
+  window->landmarksPanel()->setCurrent("Pg");
+  window->findChild<QPushButton*>("placeLandmark")->click();
+  QWidget* view = window->threeDView();
+  const Landmarks true_landmarks = read_landmarks(patient / "landmarks.mrk.json");
+  const QPoint chin = pixel_of(true_landmarks.at("Pg"));
+  QTest::mouseMove(view, chin);
+  QTest::mouseClick(view, Qt::LeftButton, {}, chin);
+  Vec3 placed = Vec3::Zero();
+  for (const auto& landmark : work()->landmarks())
+    if (landmark.name == "Pg" && landmark.placed)
+      placed = {landmark.at[0], landmark.at[1], landmark.at[2]};
+  EXPECT_LT((placed - true_landmarks.at("Pg")).norm(), 3);
+  window->landmarksPanel()->setCurrent("S");
+  window->findChild<QPushButton*>("landmarkAtCrosshair")->click();
+  ASSERT_TRUE(
+      work()->loadLandmarks(QString::fromStdString((patient / "landmarks.mrk.json").string())));
+  EXPECT_TRUE(work()->missingLandmarks().isEmpty());
+  EXPECT_TRUE(state(qFaceToBoneCase::Cuts).possible);
+  ASSERT_EQ(work()->cuts()->count(), 1);
+  EXPECT_FALSE(work()->measures().empty());
+
+  const QString opened = work()->folder();
+  work()->close();
+  ASSERT_TRUE(window->open(QString::fromStdString((folder / "head.nrrd").string())));
+  EXPECT_EQ(work()->folder(), opened) << "goes on where it was left";
+  EXPECT_TRUE(work()->missingLandmarks().isEmpty());
+  work()->setMeshDensity(0.15);
+  ASSERT_EQ(run(qFaceToBoneCase::Cuts), "");
+  EXPECT_TRUE(state(qFaceToBoneCase::Cuts).done);
+}
+
+TEST_F(MainWindow, RulersAreKeptAndCanBeRemoved)
+{
+  open_segmented();
+  window->findChild<QPushButton*>("distance")->click();
+  QWidget* view = window->threeDView();
+  const QPoint nose = pixel_of(nose_tip());
+  for (const QPoint& at : {nose - QPoint(20, 0), nose + QPoint(-70, 60)})
+    QTest::mouseClick(view, Qt::LeftButton, {}, at);
+  ASSERT_EQ(work()->rulers()->all().size(), 1u);
+  const auto points = work()->rulers()->all()[0].points;
+  ASSERT_EQ(points.size(), 2u);
+  EXPECT_FALSE(window->findChild<QPushButton*>("distance")->isChecked());
+  const qFaceToBoneObject* object = work()->objects()->find("ruler/1");
+  ASSERT_TRUE(object);
+  EXPECT_TRUE(object->name.startsWith("Distance ")) << object->name.toStdString();
+  window->findChild<QPushButton*>("angle")->click();
+  for (const QPoint& at : {nose - QPoint(20, 0), nose + QPoint(-70, 60), nose + QPoint(-90, 90)})
+    QTest::mouseClick(view, Qt::LeftButton, {}, at);
+  ASSERT_EQ(work()->rulers()->all().size(), 2u);
+
+  const QString opened = work()->folder();
+  work()->close();
+  EXPECT_TRUE(work()->rulers()->all().empty());
+  ASSERT_TRUE(window->open(opened));
+  ASSERT_EQ(work()->rulers()->all().size(), 2u);
+  for (std::size_t k = 0; k < 3; ++k)
+    EXPECT_NEAR(work()->rulers()->all()[0].points[1][k], points[1][k], 1e-6);
+  emit work()->objects()->removeWanted("ruler/1");
+  EXPECT_EQ(work()->rulers()->all().size(), 1u);
+  EXPECT_FALSE(work()->objects()->find("ruler/1"));
+}
+
+TEST_F(MainWindow, LandmarkHandleDragsTheFaceOnBothSides)
+{
+  open_segmented();
+  window->findChild<QCheckBox*>("handles")->setChecked(true);
+  QCoreApplication::processEvents();
+  const auto before = displacement();
+  const auto at = work()->landmarkOnFace("prn");
+  const QPoint nose = pixel_of(Vec3(at[0], at[1], at[2]));
+  drag(nose, QPoint(20, 0)); // seen from the right: forward is to the right
+  const auto now = work()->landmarkOnFace("prn");
+  EXPECT_GT(now[1] - at[1], 2);
+  EXPECT_NEAR(now[0], at[0], 0.5) << "stays in the middle";
+  EXPECT_FALSE(work()->sculpting()->in_stroke());
+  trigger("undo");
+  EXPECT_EQ(displacement(), before);
 }
 
 TEST_F(MainWindow, AnotherCaseOverASculptedOneLosesNothing)
@@ -199,7 +347,9 @@ TEST_F(MainWindow, AnotherCaseOverASculptedOneLosesNothing)
   sculpt_nose();
   const auto sculpted = displacement();
   const QString first = work()->folder();
+  answer(QMessageBox::Save);
   open_patient();
+  EXPECT_EQ(answered, 1);
   EXPECT_FALSE(work()->sculpting());
   ASSERT_TRUE(window->open(first));
   ASSERT_EQ(displacement().size(), sculpted.size());

@@ -1,11 +1,17 @@
 #include "qFaceToBoneMainWindow.h"
+#include "qFaceToBoneThreeDView.h"
 
 #include <QApplication>
 #include <QCommandLineParser>
+#include <QElapsedTimer>
 #include <QSurfaceFormat>
 #include <QVTKOpenGLNativeWidget.h>
 
+#include <vtkRenderWindow.h>
+
 #include <clocale>
+#include <ctime>
+#include <iostream>
 
 int main(int argc, char** argv)
 {
@@ -23,10 +29,24 @@ int main(int argc, char** argv)
   parser.addHelpOption();
   parser.addVersionOption();
   parser.addPositionalArgument("case", "Case folder, case.mrml or case file (JSON)", "[case]");
+  parser.addOption({"time-first-image", "Print the seconds until the case is seen, and end"});
   parser.process(application);
+  QElapsedTimer since;
+  since.start();
   qFaceToBoneMainWindow window;
   window.show();
   if (!parser.positionalArguments().isEmpty())
     window.open(parser.positionalArguments().first());
+  if (parser.isSet("time-first-image"))
+  {
+    QCoreApplication::processEvents();
+    window.threeDView()->renderWindow()->Render();
+    timespec spent{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &spent);
+    std::cout << "first image after " << since.elapsed() / 1000.0 << " s, "
+              << double(spent.tv_sec) + 1e-9 * double(spent.tv_nsec)
+              << " s of the window's thread on a processor\n";
+    return 0;
+  }
   return QApplication::exec();
 }

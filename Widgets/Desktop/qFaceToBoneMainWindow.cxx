@@ -2,6 +2,7 @@
 
 #include "qFaceToBoneCase.h"
 #include "qFaceToBoneCutsPanel.h"
+#include "qFaceToBoneLandmarksPanel.h"
 #include "qFaceToBoneMeasuresPanel.h"
 #include "qFaceToBoneObjectsPanel.h"
 #include "qFaceToBonePlanPanel.h"
@@ -62,8 +63,9 @@ qFaceToBoneMainWindow::qFaceToBoneMainWindow(QWidget* parent)
   connectCase();
   connectTool();
   connectBoneTools();
+  connectPointTools();
   m_autosave = new QTimer(this);
-  m_autosave->start(20'000);
+  m_autosave->start(1000 * QSettings().value("autosaveSeconds", 20).toInt());
   connect(m_autosave, &QTimer::timeout, this,
           [this]
           {
@@ -110,10 +112,10 @@ QWidget* qFaceToBoneMainWindow::makeLeft()
     return label;
   };
   page(
-      text(tr("Open a case file, a case folder, or the sample from the File menu. A case names the "
-              "CT and its landmarks.")));
-  page(text(tr("Skin and bone are found by their density in the CT. The skin found here stays the "
-               "same whatever is cut later.")));
+      text(tr("Open a CT (DICOM folder, .nrrd, .mha, .nii), a case, or the sample from the File "
+              "menu. A case names the CT and its landmarks; with a CT alone you place them in step "
+              "2, or load them there.")));
+  page(makeSurfacesPage());
   m_cutsPanel = new qFaceToBoneCutsPanel(m_case);
   page(m_cutsPanel);
   m_sculptPanel = new qFaceToBoneSculptPanel(m_case);
@@ -125,7 +127,8 @@ QWidget* qFaceToBoneMainWindow::makeLeft()
   auto* tabs = new QTabWidget;
   tabs->addTab(m_pages, tr("Step"));
   tabs->addTab(new qFaceToBoneObjectsPanel(m_case->objects()), tr("Objects"));
-  tabs->addTab(new qFaceToBoneMeasuresPanel(m_case), tr("Measures"));
+  m_measuresPanel = new qFaceToBoneMeasuresPanel(m_case);
+  tabs->addTab(m_measuresPanel, tr("Measures"));
   tabs->setObjectName("tabs");
   parts->addWidget(tabs, 1);
   connect(m_steps, &qFaceToBoneStepsPanel::currentStepChanged, this,
@@ -145,6 +148,21 @@ QWidget* qFaceToBoneMainWindow::makeLeft()
   return left;
 }
 
+QWidget* qFaceToBoneMainWindow::makeSurfacesPage()
+{
+  auto* page = new QWidget;
+  auto* words = new QLabel(tr("Skin and bone are found by their density in the CT. The skin found "
+                              "here stays the same whatever is cut later."));
+  words->setWordWrap(true);
+  words->setMargin(4);
+  m_landmarksPanel = new qFaceToBoneLandmarksPanel(m_case);
+  auto* parts = new QVBoxLayout(page);
+  parts->setContentsMargins(0, 0, 0, 0);
+  parts->addWidget(words);
+  parts->addWidget(m_landmarksPanel, 1);
+  return page;
+}
+
 QWidget* qFaceToBoneMainWindow::makeWelcome()
 {
   auto* welcome = new QWidget;
@@ -156,7 +174,7 @@ QWidget* qFaceToBoneMainWindow::makeWelcome()
          "device.</p>"));
   title->setAlignment(Qt::AlignCenter);
   auto* sample = new QPushButton(tr("Try it on the sample patient"));
-  auto* open = new QPushButton(tr("Open a case..."));
+  auto* open = new QPushButton(tr("Open a CT or a case..."));
   for (QPushButton* button : {sample, open})
   {
     button->setMinimumSize(280, 40);
@@ -330,12 +348,16 @@ void qFaceToBoneMainWindow::makeMenus()
       [this]
       {
         const QString path = QFileDialog::getOpenFileName(
-            this, tr("Open a case"), QSettings().value("lastFolder").toString(),
-            tr("Cases (*.json *.mrml);;All files (*)"));
+            this, tr("Open a CT or a case"), QSettings().value("lastFolder").toString(),
+            tr("CTs and cases (*.json *.mrml *.nrrd *.nhdr *.mha *.mhd *.nii *.nii.gz *.dcm);;"
+               "All files (*)"));
         if (!path.isEmpty())
           open(path);
       },
       "open");
+  add(
+      file, tr("Open &DICOM folder..."), QKeySequence("Ctrl+Shift+O"), [this] { openFolder(); },
+      "openFolder");
   m_recent = file->addMenu(tr("Open &recent"));
   add(
       file, tr("Sample &patient"), QKeySequence(), [this] { openSample(); }, "sample");

@@ -16,6 +16,9 @@ class qFaceToBoneBoneTools;
 class qFaceToBoneCase;
 class qFaceToBoneCutTools;
 class qFaceToBoneCutsPanel;
+class qFaceToBoneLandmarksPanel;
+class qFaceToBoneMeasuresPanel;
+class qFaceToBonePointTools;
 class qFaceToBonePlanPanel;
 class qFaceToBoneSculptPanel;
 class qFaceToBoneSliceView;
@@ -41,6 +44,8 @@ public:
   qFaceToBoneStepsPanel* steps() const { return m_steps; }
   qFaceToBoneBoneTools* boneTools() const { return m_boneTools; }
   qFaceToBoneCutTools* cutTools() const { return m_cutTools; }
+  qFaceToBonePointTools* pointTools() const { return m_pointTools; }
+  qFaceToBoneLandmarksPanel* landmarksPanel() const { return m_landmarksPanel; }
   qFaceToBoneSculptPanel* sculptPanel() const { return m_sculptPanel; }
   qFaceToBoneThreeDView* threeDView() const { return m_view; }
   qFaceToBoneSliceView* sliceView(int k) const { return m_slices[k]; }
@@ -62,6 +67,10 @@ private:
   bool saveAll();
   void undo();
   void redo();
+  void connectPointTools();
+  QWidget* makeSurfacesPage();
+  void openFolder();
+  bool mayLeave();
   void loadedAnother();
   void strokeMoved();
   void strokeEnded();
@@ -82,8 +91,11 @@ private:
   qFaceToBoneCutsPanel* m_cutsPanel = nullptr;
   qFaceToBonePlanPanel* m_planPanel = nullptr;
   qFaceToBoneSculptPanel* m_sculptPanel = nullptr;
+  qFaceToBoneLandmarksPanel* m_landmarksPanel = nullptr;
+  qFaceToBoneMeasuresPanel* m_measuresPanel = nullptr;
   qFaceToBoneBoneTools* m_boneTools = nullptr;
   qFaceToBoneCutTools* m_cutTools = nullptr;
+  qFaceToBonePointTools* m_pointTools = nullptr;
   bool m_byHand = false;
   QStackedWidget *m_pages = nullptr, *m_centre = nullptr;
   qFaceToBoneThreeDView* m_view = nullptr;

@@ -4,7 +4,9 @@
 #include "qFaceToBoneCase.h"
 #include "qFaceToBoneCutTools.h"
 #include "qFaceToBoneCutsPanel.h"
+#include "qFaceToBoneLandmarksPanel.h"
 #include "qFaceToBonePlanPanel.h"
+#include "qFaceToBonePointTools.h"
 #include "qFaceToBoneSculptPanel.h"
 #include "qFaceToBoneSliceView.h"
 #include "qFaceToBoneStepsPanel.h"
@@ -20,6 +22,7 @@
 #include <QDialogButtonBox>
 #include <QDir>
 #include <QDoubleSpinBox>
+#include <QFileDialog>
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QLabel>
@@ -35,8 +38,13 @@
 #include <QUrl>
 
 #include <vtkCommand.h>
+#include <vtkDataArray.h>
+#include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkRenderer.h>
+
+#include <algorithm>
+#include <cmath>
 
 void qFaceToBoneMainWindow::connectCase()
 {
@@ -166,6 +174,32 @@ void qFaceToBoneMainWindow::redo()
     m_case->redo();
 }
 
+void qFaceToBoneMainWindow::connectPointTools()
+{
+  m_pointTools = new qFaceToBonePointTools(m_case, m_view, m_landmarksPanel, m_sculptPanel,
+                                           m_measuresPanel, this);
+  connect(m_landmarksPanel, &qFaceToBoneLandmarksPanel::crosshairWanted, this,
+          [this](const QString& name)
+          {
+            if (m_case->placeLandmark(name, m_slices[0]->crosshair()))
+              m_landmarksPanel->advance();
+            else
+              complain(m_case->error());
+          });
+  connect(m_landmarksPanel, &qFaceToBoneLandmarksPanel::placingChanged, this,
+          [this](bool on)
+          {
+            if (on)
+              say(tr("Click the place of %1 in the 3D view").arg(m_landmarksPanel->current()));
+          });
+  connect(m_landmarksPanel, &qFaceToBoneLandmarksPanel::currentChanged, this,
+          [this](const QString& name)
+          {
+            if (m_landmarksPanel->isPlacing())
+              say(tr("Click the place of %1 in the 3D view").arg(name));
+          });
+}
+
 vtkFaceToBoneSculptWidget* qFaceToBoneMainWindow::sculptTool() const
 {
   return m_tool;
@@ -186,8 +220,44 @@ void qFaceToBoneMainWindow::brushTurned()
   m_sculptPanel->setBrush(m_tool->GetBrush());
 }
 
+/// Asks where the sculpted face would be left behind unkept. \return false if the user stays
+bool qFaceToBoneMainWindow::mayLeave()
+{
+  if (!m_case->hasUnsavedChanges())
+    return true;
+  QMessageBox box(QMessageBox::Question, "FaceToBone",
+                  tr("The sculpted face is not yet kept as the target. Save it, to go on with it "
+                     "next time?"),
+                  QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
+  box.setDefaultButton(QMessageBox::Save);
+  box.setObjectName("unsaved");
+  switch (box.exec())
+  {
+  case QMessageBox::Save:
+    if (m_case->saveSculpted())
+      return true;
+    complain(m_case->error());
+    return false;
+  case QMessageBox::Discard:
+    m_case->discardSculpted();
+    return true;
+  default:
+    return false;
+  }
+}
+
+void qFaceToBoneMainWindow::openFolder()
+{
+  const QString path = QFileDialog::getExistingDirectory(
+      this, tr("Open a DICOM folder"), QSettings().value("lastFolder").toString());
+  if (!path.isEmpty())
+    open(path);
+}
+
 bool qFaceToBoneMainWindow::open(const QString& path)
 {
+  if (!mayLeave())
+    return false;
   if (!m_case->open(path))
   {
     complain(m_case->error());
@@ -204,6 +274,8 @@ QString qFaceToBoneMainWindow::sampleFolder() const
 
 void qFaceToBoneMainWindow::openSample()
 {
+  if (!mayLeave())
+    return;
   if (!m_case->openSample(sampleFolder(), QSettings().value("meshDensity", 0.3).toDouble()))
     complain(m_case->error());
 }
@@ -257,6 +329,8 @@ void qFaceToBoneMainWindow::stepChosen(int step)
   m_cutTools->show(step == qFaceToBoneCase::Cuts && m_cutsPanel->showsTools());
   m_case->setMovementShown(step == qFaceToBoneCase::Cuts ? 0 : m_planPanel->shareShown());
   m_boneTools->showGizmos(step == qFaceToBoneCase::Plan && m_byHand);
+  m_pointTools->showLandmarks(step == qFaceToBoneCase::Surfaces);
+  m_pointTools->showHandles(step == qFaceToBoneCase::Target);
   qFaceToBoneObjects* objects = m_case->objects();
   const bool planned = !m_case->movements().empty();
   const bool bones = step == qFaceToBoneCase::Cuts;
@@ -280,11 +354,15 @@ void qFaceToBoneMainWindow::colourTarget(int choice)
   static const char* const arrays[] = {"", vtkFaceToBoneSculptRepresentation::LengthArray,
                                        vtkFaceToBoneSculptRepresentation::MaskArray,
                                        "unreached_mm"};
-  objects->setColouring("target", arrays[choice],
-                        choice == 1   ? 8
-                        : choice == 2 ? 1
-                                      : 3,
-                        choice == 1);
+  double range = choice == 2 ? 1 : 3;
+  const qFaceToBoneObject* target = objects->find("target");
+  vtkDataArray* moved =
+      !target || choice != 1 ? nullptr : target->surface->GetPointData()->GetArray(arrays[choice]);
+  if (moved)
+    range = std::clamp(
+        std::ceil(std::max(std::abs(moved->GetRange()[0]), std::abs(moved->GetRange()[1]))), 4.0,
+        20.0);
+  objects->setColouring("target", arrays[choice], range, choice == 1);
 }
 
 void qFaceToBoneMainWindow::say(const QString& text)
@@ -361,6 +439,11 @@ void qFaceToBoneMainWindow::about()
 
 void qFaceToBoneMainWindow::closeEvent(QCloseEvent* event)
 {
+  if (!mayLeave())
+  {
+    event->ignore();
+    return;
+  }
   QSettings().setValue("geometry", saveGeometry());
   m_tool->SetEnabled(0);
   m_cutTools->show(false);

@@ -70,6 +70,8 @@ qFaceToBoneSliceView::qFaceToBoneSliceView(Orientation orientation, qFaceToBoneO
   m_renderer->AddActor(cross);
   m_text->GetTextProperty()->SetFontSize(13);
   m_text->GetTextProperty()->SetColor(0.9, 0.92, 0.95);
+  m_text->GetTextProperty()->SetBackgroundColor(0, 0, 0);
+  m_text->GetTextProperty()->SetBackgroundOpacity(0.65);
   m_text->SetPosition(6, 5);
   m_renderer->AddViewProp(m_text);
   setMinimumSize(120, 90);

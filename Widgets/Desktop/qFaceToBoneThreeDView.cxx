@@ -61,6 +61,7 @@ const char* const compareKeys[] = {"skin", "target", "predicted"};
 qFaceToBoneThreeDView::qFaceToBoneThreeDView(qFaceToBoneObjects* objects, QWidget* parent)
     : QVTKOpenGLNativeWidget(parent), m_objects(objects),
       m_bar(vtkSmartPointer<vtkScalarBarActor>::New()),
+      m_barTitle(vtkSmartPointer<vtkTextActor>::New()),
       m_crosshair(vtkSmartPointer<vtkActor>::New())
 {
   vtkNew<vtkGenericOpenGLRenderWindow> window;
@@ -93,7 +94,7 @@ qFaceToBoneThreeDView::qFaceToBoneThreeDView(qFaceToBoneObjects* objects, QWidge
   m_bar->SetOrientationToHorizontal();
   m_bar->SetPosition(0.3, 0.02);
   m_bar->SetWidth(0.4);
-  m_bar->SetHeight(0.11);
+  m_bar->SetHeight(0.08);
   m_bar->SetTextPositionToPrecedeScalarBar(); // labels below, title above
   m_bar->UnconstrainedFontSizeOn();
   for (vtkTextProperty* text : {m_bar->GetLabelTextProperty(), m_bar->GetTitleTextProperty()})
@@ -104,7 +105,15 @@ qFaceToBoneThreeDView::qFaceToBoneThreeDView(qFaceToBoneObjects* objects, QWidge
     text->ShadowOff();
     text->BoldOff();
   }
+  m_bar->SetTitle(""); // VTK's own runs into the labels: ours stands above
+  m_barTitle->GetTextProperty()->ShallowCopy(m_bar->GetLabelTextProperty());
+  m_barTitle->GetTextProperty()->SetJustificationToCentered();
+  m_barTitle->GetTextProperty()->SetVerticalJustificationToBottom();
+  m_barTitle->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
+  m_barTitle->SetPosition(0.5, 0.115);
+  m_barTitle->VisibilityOff();
   mainRenderer()->AddViewProp(m_bar);
+  mainRenderer()->AddViewProp(m_barTitle);
   vtkNew<vtkSphereSource> ball;
   ball->SetRadius(1.6);
   vtkNew<vtkPolyDataMapper> mapper;
@@ -242,17 +251,19 @@ void qFaceToBoneThreeDView::updateActor(vtkActor* actor, const QString& key)
 void qFaceToBoneThreeDView::updateBar()
 {
   m_bar->SetVisibility(false);
+  m_barTitle->SetVisibility(false);
   for (const qFaceToBoneObject& object : m_objects->all())
   {
     if (object.colourArray.isEmpty() || !object.visible)
       continue;
     m_bar->SetLookupTable(object.diverging ? f2b::diverging_map(object.range)
                                            : f2b::sequential_map(object.range));
-    m_bar->SetTitle(qPrintable(object.colourArray == "unreached_mm" ? tr("left of the target [mm]")
-                               : object.colourArray == "displacement_mm"
-                                   ? tr("displacement, outward positive [mm]")
-                                   : object.colourArray));
+    m_barTitle->SetInput(qPrintable(
+        object.colourArray == "unreached_mm"      ? tr("left of the target [mm]")
+        : object.colourArray == "displacement_mm" ? tr("displacement, outward positive [mm]")
+                                                  : object.colourArray));
     m_bar->SetVisibility(true);
+    m_barTitle->SetVisibility(true);
     return;
   }
 }
@@ -388,6 +399,7 @@ void qFaceToBoneThreeDView::placeSplit()
     plane->SetNormal(sign * right[0], sign * right[1], sign * right[2]);
     vtkActor* actor = pane.actors.at(predicted ? "predicted" : "target");
     actor->GetMapper()->AddClippingPlane(plane);
+    actor->GetProperty()->SetOpacity(1); // two faces are compared, not what lies in them
     actor->VisibilityOn();
   }
 }

@@ -70,6 +70,7 @@ private:
   double m_explode = 0, m_split = 1;
   bool m_renderPending = false, m_fitted = false;
   vtkSmartPointer<vtkScalarBarActor> m_bar;
+  vtkSmartPointer<vtkTextActor> m_barTitle;
   vtkSmartPointer<vtkActor> m_crosshair;
 };
 

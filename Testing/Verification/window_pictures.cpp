@@ -1,0 +1,344 @@
+#include "Widgets/desktop_stage.hpp"
+
+#include "qFaceToBoneLandmarksPanel.h"
+#include "qFaceToBonePointTools.h"
+#include "qFaceToBoneRulers.h"
+#include "qFaceToBoneStepsPanel.h"
+#include "qFaceToBoneThreeDView.h"
+
+#include <Bridge/json_file.hpp>
+#include <Case/case_settings.hpp>
+#include <Core/sculpting/sculpting_session.hpp>
+
+#include <QAbstractButton>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDir>
+#include <QLabel>
+#include <QSlider>
+#include <QTabWidget>
+#include <QToolButton>
+
+#include <vtkCommand.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderWindowInteractor.h>
+#include <vtkRenderer.h>
+
+#include <nlohmann/json.hpp>
+
+#include <ctime>
+#include <iostream>
+
+/// Drives the window through every step of a case, and of its bare CT, and pictures each at two
+/// sizes; tells what is clipped or unnamed.
+///
+///   window_pictures CASE.json FOLDER [LANDMARKS_FROM_A_CT]
+namespace f2b
+{
+namespace
+{
+
+using nlohmann::json;
+using testing::wait_until;
+
+class Photographer
+{
+public:
+  explicit Photographer(QString folder) : m_folder(std::move(folder)) { QDir().mkpath(m_folder); }
+
+  void take(qFaceToBoneMainWindow& window, const char* name)
+  {
+    for (const QSize size : {QSize(1920, 1080), QSize(1366, 768)})
+    {
+      window.resize(size);
+      wait_until([&] { return window.size() == size; }, 5);
+      window.threeDView()->fit();
+      for (int k = 0; k < 12; ++k) // outlines of slices wait a little
+        QCoreApplication::processEvents(QEventLoop::AllEvents, 50);
+      QElapsedTimer since;
+      since.start();
+      wait_until([&] { return since.elapsed() > 400; }, 1);
+      if (!window.grab().save(QString("%1/%2_%3.png").arg(m_folder, name).arg(size.width())))
+        throw std::runtime_error("a picture cannot be written");
+      ++m_taken;
+      look_for_faults(window, QString("%1_%2").arg(name).arg(size.width()));
+    }
+  }
+  json told() const
+  {
+    return {{"pictures", m_taken}, {"clipped", m_clipped}, {"unnamed", m_unnamed}};
+  }
+
+private:
+  /// Words that do not fit their widget, and controls that say nothing of themselves.
+  void look_for_faults(qFaceToBoneMainWindow& window, const QString& where)
+  {
+    for (QWidget* widget : window.findChildren<QWidget*>())
+    {
+      if (!widget->isVisible())
+        continue;
+      const auto* label = qobject_cast<QLabel*>(widget);
+      const auto* button = qobject_cast<QAbstractButton*>(widget);
+      const QString text = label ? label->text() : button ? button->text() : QString();
+      const int needed = label && label->wordWrap() ? label->heightForWidth(label->width()) : 0;
+      const int line = label ? widget->minimumSizeHint().width()
+                             : widget->fontMetrics().horizontalAdvance(text) + 6;
+      const bool narrow = !(label && label->wordWrap()) && widget->width() < line;
+      if (!text.isEmpty() && (narrow || widget->height() + 1 < needed))
+        m_clipped.push_back((where + ": " + text).toStdString());
+      if (button && text.isEmpty() && button->icon().isNull() && button->toolTip().isEmpty() &&
+          !button->inherits("QTabBar") && !QString(button->objectName()).startsWith("qt_"))
+        m_unnamed.push_back((where + ": " + button->metaObject()->className()).toStdString());
+    }
+  }
+
+  QString m_folder;
+  int m_taken = 0;
+  std::vector<std::string> m_clipped, m_unnamed;
+};
+
+class Surgeon
+{
+public:
+  Surgeon(qFaceToBoneMainWindow& window, Photographer& photographer)
+      : m_window(window), m_photographer(photographer)
+  {
+  }
+
+  void run(qFaceToBoneCase::Step step)
+  {
+    std::string message;
+    const auto seen =
+        QObject::connect(work()->task(), &qFaceToBoneTask::ended,
+                         [&](bool, const QString& text) { message = text.toStdString(); });
+    wait_until([&] { return work()->state(step).possible; }, 900);
+    if (!work()->start(step))
+      message = work()->error().toStdString();
+    wait_until([&] { return !work()->task()->isRunning(); }, 1800);
+    QObject::disconnect(seen);
+    if (!message.empty())
+      throw std::runtime_error(message);
+  }
+  void settle()
+  {
+    wait_until([&] { return !work()->background()->isRunning(); }, 1800);
+  }
+  void show(qFaceToBoneCase::Step step, const char* name)
+  {
+    m_window.steps()->setCurrentStep(step);
+    m_photographer.take(m_window, name);
+  }
+  void tab(int index, const char* name)
+  {
+    auto* tabs = m_window.findChild<QTabWidget*>("tabs");
+    tabs->setCurrentIndex(index);
+    m_photographer.take(m_window, name);
+    tabs->setCurrentIndex(0);
+  }
+  template <class Control>
+  Control* find(const char* name)
+  {
+    return m_window.findChild<Control*>(name);
+  }
+  qFaceToBoneCase* work() { return m_window.work(); }
+  Photographer& photographer() { return m_photographer; }
+  qFaceToBoneMainWindow& window() { return m_window; }
+
+private:
+  qFaceToBoneMainWindow& m_window;
+  Photographer& m_photographer;
+};
+
+/// A CT alone: what is seen at once, and what it says of landmarks that are not there.
+json bare_ct(Surgeon& s, const QString& ct)
+{
+  QElapsedTimer since;
+  since.start();
+  if (!s.window().open(ct))
+    throw std::runtime_error(s.work()->error().toStdString());
+  wait_until([&] { return !s.work()->task()->isRunning(); }, 300);
+  const double seconds = static_cast<double>(since.elapsed()) / 1000.0;
+  s.photographer().take(s.window(), "ct_1_opened");
+  s.run(qFaceToBoneCase::Surfaces);
+  s.show(qFaceToBoneCase::Surfaces, "ct_2_surfaces");
+  s.show(qFaceToBoneCase::Cuts, "ct_3_cuts_want_landmarks");
+  const auto state = s.work()->state(qFaceToBoneCase::Cuts);
+  return {{"seconds_to_first_image", seconds}, {"cuts_say", state.text.toStdString()}};
+}
+
+double thread_seconds()
+{
+  timespec spent{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &spent);
+  return double(spent.tv_sec) + 1e-9 * double(spent.tv_nsec);
+}
+
+/// Processor time from a mouse move that drags the nose to fragments that have followed [ms], mean
+/// and largest; without drawing.
+json time_of_a_move(Surgeon& s)
+{
+  for (QToolButton* button : s.window().findChildren<QToolButton*>())
+    if (button->text() == "Elastic")
+      button->click();
+  s.window().threeDView()->setPreset(qFaceToBoneThreeDView::Right);
+  QCoreApplication::processEvents();
+  vtkRenderWindowInteractor* mouse = s.window().threeDView()->interactor();
+  vtkRenderer* renderer = s.window().threeDView()->mainRenderer();
+  const auto nose = s.work()->landmarkOnFace("prn");
+  renderer->SetWorldPoint(nose[0], nose[1] - 1, nose[2], 1);
+  renderer->WorldToDisplay();
+  const double* d = renderer->GetDisplayPoint();
+  const int x = static_cast<int>(d[0]), y = static_cast<int>(d[1]);
+  mouse->SetEventInformation(x, y);
+  mouse->InvokeEvent(vtkCommand::LeftButtonPressEvent);
+  double sum = 0, worst = 0;
+  constexpr int moves = 20;
+  int followed = 0;
+  auto before = s.work()->movements();
+  for (int k = 1; k <= moves; ++k)
+  {
+    mouse->SetEventInformation(x + k, y);
+    const double begin = thread_seconds();
+    mouse->InvokeEvent(vtkCommand::MouseMoveEvent);
+    const double spent = 1000 * (thread_seconds() - begin);
+    sum += spent;
+    worst = std::max(worst, spent);
+    const auto after = s.work()->movements();
+    followed += !after.empty() && (before.empty() || after[0].translation != before[0].translation);
+    before = after;
+  }
+  mouse->InvokeEvent(vtkCommand::LeftButtonReleaseEvent);
+  s.work()->undo();
+  for (QToolButton* button : s.window().findChildren<QToolButton*>())
+    if (button->text() == "Turn")
+      button->click();
+  return {{"mean", sum / moves},
+          {"largest", worst},
+          {"moves_that_fragments_followed", followed},
+          {"vertices", s.work()->sculpting()->skin().size()}};
+}
+
+json whole_way(Surgeon& s)
+{
+  s.run(qFaceToBoneCase::Surfaces);
+  s.show(qFaceToBoneCase::Surfaces, "2_surfaces");
+  s.window().steps()->setCurrentStep(qFaceToBoneCase::Cuts);
+  s.find<QCheckBox>("planes")->setChecked(true);
+  s.photographer().take(s.window(), "3_cuts_placed");
+  s.run(qFaceToBoneCase::Cuts);
+  s.window().steps()->setCurrentStep(qFaceToBoneCase::Cuts);
+  s.find<QCheckBox>("planes")->setChecked(false);
+  s.find<QSlider>("explode")->setValue(15);
+  s.photographer().take(s.window(), "3_cuts_exploded");
+  s.find<QSlider>("explode")->setValue(0);
+  s.settle();
+  s.run(qFaceToBoneCase::Target);
+  s.settle();
+  s.show(qFaceToBoneCase::Target, "4_target");
+  const json move = time_of_a_move(s);
+  s.settle();
+  s.window().threeDView()->setPreset(qFaceToBoneThreeDView::Right);
+  s.find<QCheckBox>("handles")->setChecked(true);
+  if (!s.work()->moveLandmark("sn", {0, 2, 0}, 35))
+    throw std::runtime_error(s.work()->error().toStdString());
+  s.find<QComboBox>("colour")->setCurrentIndex(1);
+  s.photographer().take(s.window(), "4_target_displacement");
+  s.find<QComboBox>("colour")->setCurrentIndex(0);
+  s.find<QCheckBox>("handles")->setChecked(false);
+  s.settle();
+  s.run(qFaceToBoneCase::Target);
+  s.run(qFaceToBoneCase::Plan);
+  s.window().threeDView()->setPreset(qFaceToBoneThreeDView::ThreeQuarter);
+  s.show(qFaceToBoneCase::Plan, "5_plan");
+  s.find<QToolButton>("compare")->setChecked(true);
+  s.find<QComboBox>("colour")->setCurrentIndex(3);
+  s.photographer().take(s.window(), "6_compare");
+  s.find<QComboBox>("colour")->setCurrentIndex(0);
+  s.find<QToolButton>("compare")->setChecked(false);
+  s.find<QSlider>("split")->setValue(50);
+  s.photographer().take(s.window(), "6_split");
+  s.find<QSlider>("split")->setValue(100);
+  const auto a = s.work()->landmarkOnFace("prn"), b = s.work()->landmarkOnFace("Pg'"),
+             c = s.work()->landmarkOnFace("sn");
+  s.work()->rulers()->add({a, b});
+  s.work()->rulers()->add({a, c, b});
+  s.window().threeDView()->setPreset(qFaceToBoneThreeDView::Right);
+  s.tab(2, "7_measures");
+  s.tab(1, "7_objects");
+  s.run(qFaceToBoneCase::Report);
+  s.window().threeDView()->setPreset(qFaceToBoneThreeDView::ThreeQuarter);
+  s.show(qFaceToBoneCase::Report, "8_report");
+  return move;
+}
+
+int main_of(int argc, char** argv)
+{
+  if (argc < 3)
+  {
+    std::cerr << "window_pictures CASE.json FOLDER\n";
+    return 2;
+  }
+  testing::ApplicationEnvironment application;
+  application.SetUp();
+  json told;
+  {
+    const QString pictures = QString::fromLocal8Bit(argv[2]);
+    QDir(pictures).removeRecursively();
+    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, pictures + "/settings");
+    Photographer photographer(pictures);
+    json document = with_absolute_paths(read_json(argv[1]), argv[1]);
+    const auto linked_ct = Path(argv[2]) / "ct alone";
+    std::filesystem::create_directories(linked_ct);
+    const Path ct = parse_settings(document, argv[1]).ct;
+    {
+      qFaceToBoneMainWindow window;
+      window.show();
+      photographer.take(window, "0_welcome");
+      Surgeon surgeon(window, photographer);
+      std::filesystem::create_symlink(ct, linked_ct / ct.filename());
+      told["bare_ct"] =
+          bare_ct(surgeon, QString::fromStdString((linked_ct / ct.filename()).string()));
+    }
+    const auto own = Path(argv[2]) / "case.json";
+    write_json(own, document);
+    qFaceToBoneMainWindow window;
+    window.show();
+    Surgeon surgeon(window, photographer);
+    if (!window.open(QString::fromStdString(own.string())))
+      throw std::runtime_error(surgeon.work()->error().toStdString());
+    surgeon.settle(); // its CT is read
+    photographer.take(window, "1_opened");
+    told["move_ms"] = whole_way(surgeon);
+    // the next start shows a case within seconds
+    const QString folder = surgeon.work()->folder();
+    surgeon.work()->close();
+    qFaceToBoneMainWindow next;
+    QElapsedTimer since;
+    since.start();
+    next.show();
+    next.open(folder);
+    QCoreApplication::processEvents();
+    next.threeDView()->renderWindow()->Render();
+    told["seconds_to_reopened_image"] = static_cast<double>(since.elapsed()) / 1000.0;
+    told.update(photographer.told());
+  }
+  std::cout << told.dump(1) << "\n";
+  application.TearDown();
+  return 0;
+}
+
+} // namespace
+} // namespace f2b
+
+int main(int argc, char** argv)
+{
+  try
+  {
+    return f2b::main_of(argc, argv);
+  }
+  catch (const std::exception& error)
+  {
+    std::cerr << error.what() << "\n";
+    return 1;
+  }
+}
