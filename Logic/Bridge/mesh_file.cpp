@@ -16,6 +16,9 @@
 #include <vtkXMLUnstructuredGridReader.h>
 #include <vtkXMLUnstructuredGridWriter.h>
 
+#include <cmath>
+#include <optional>
+
 namespace f2b
 {
 namespace
@@ -76,6 +79,96 @@ vtkSmartPointer<vtkUnstructuredGrid> to_grid(const MixedMesh& mesh)
   return grid;
 }
 
+/// The grid of a file; null where VTK finds it damaged.
+vtkSmartPointer<vtkUnstructuredGrid> read_grid(const std::filesystem::path& path)
+{
+  const VtkMessages messages;
+  vtkNew<vtkXMLUnstructuredGridReader> reader;
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  return messages.error() ? nullptr : reader->GetOutput();
+}
+
+/// The array of that name; null unless it has so many components and tuples.
+vtkDataArray* array_of(vtkFieldData* data, const char* name, int components, vtkIdType tuples)
+{
+  vtkDataArray* array = data->GetArray(name);
+  return array && array->GetNumberOfComponents() == components &&
+                 array->GetNumberOfTuples() == tuples
+             ? array
+             : nullptr;
+}
+
+/// A whole number of an array, from `first` to `last`; nothing if it is another.
+std::optional<int> whole_number(vtkDataArray* array, vtkIdType at, int first, int last)
+{
+  const double value = array->GetTuple1(at);
+  if (!(value >= first && value <= last) || value != std::floor(value))
+    return std::nullopt;
+  return static_cast<int>(value);
+}
+
+/// False where a node's position, boundary or fragment is none.
+bool take_nodes(vtkUnstructuredGrid* grid, MixedMesh& mesh)
+{
+  const vtkIdType count = grid->GetNumberOfPoints();
+  vtkDataArray* boundary = array_of(grid->GetPointData(), "boundary", 1, count);
+  vtkDataArray* fragment = array_of(grid->GetPointData(), "fragment", 1, count);
+  if (!boundary || !fragment)
+    return false;
+  for (vtkIdType n = 0; n < count; ++n)
+  {
+    const Vec3 p = flipped(Vec3(grid->GetPoint(n)));
+    const auto part = whole_number(boundary, n, 0, static_cast<int>(Boundary::Crop));
+    const auto owner = whole_number(fragment, n, -1, static_cast<int>(mesh.fragments.size()) - 1);
+    if (!p.allFinite() || !part || !owner)
+      return false;
+    mesh.X.push_back(p);
+    mesh.node_boundary.push_back(static_cast<Boundary>(*part));
+    mesh.node_fragment.push_back(*owner);
+  }
+  return true;
+}
+
+/// The corners of a cell; false unless there are as many, each of them a node.
+template <std::size_t N>
+bool take_corners(vtkUnstructuredGrid* grid, vtkIdType cell, std::vector<std::array<int, N>>& cells)
+{
+  vtkIdType count = 0;
+  const vtkIdType* nodes = nullptr;
+  grid->GetCellPoints(cell, count, nodes);
+  if (count != static_cast<vtkIdType>(N))
+    return false;
+  std::array<int, N>& corners = cells.emplace_back();
+  for (std::size_t i = 0; i < N; ++i)
+  {
+    if (nodes[i] < 0 || nodes[i] >= grid->GetNumberOfPoints())
+      return false;
+    corners[i] = static_cast<int>(nodes[i]);
+  }
+  return true;
+}
+
+/// False where a cell is neither prism nor tetrahedron of known tissue and nodes.
+bool take_elements(vtkUnstructuredGrid* grid, MixedMesh& mesh)
+{
+  vtkDataArray* tissue = array_of(grid->GetCellData(), "tissue", 1, grid->GetNumberOfCells());
+  if (!tissue)
+    return false;
+  for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c)
+  {
+    const auto of = whole_number(tissue, c, 0, tissue_count - 1);
+    const int type = grid->GetCellType(c);
+    if (!of || (type != VTK_WEDGE && type != VTK_TETRA) ||
+        !(type == VTK_WEDGE ? take_corners(grid, c, mesh.prisms)
+                            : take_corners(grid, c, mesh.tets)))
+      return false;
+    if (type == VTK_TETRA)
+      mesh.tet_tissue.push_back(static_cast<Tissue>(*of));
+  }
+  return true;
+}
+
 [[noreturn]] void refuse(const std::filesystem::path& path)
 {
   throw Error(path.string(), "it is not a mesh that FaceToBone wrote, or it is damaged",
@@ -108,55 +201,24 @@ void write_mesh(const std::filesystem::path& path, const MixedMesh& mesh,
 
 MixedMesh read_mesh(const std::filesystem::path& path)
 {
-  const VtkMessages messages;
-  vtkNew<vtkXMLUnstructuredGridReader> reader;
-  reader->SetFileName(path.c_str());
-  reader->Update();
-  vtkUnstructuredGrid* grid = reader->GetOutput();
-  vtkDataArray* tissue = grid->GetCellData()->GetArray("tissue");
-  vtkDataArray* boundary = grid->GetPointData()->GetArray("boundary");
-  vtkDataArray* fragment = grid->GetPointData()->GetArray("fragment");
-  auto* names = vtkStringArray::SafeDownCast(grid->GetFieldData()->GetAbstractArray("fragments"));
-  if (messages.error() || !tissue || !boundary || !fragment)
+  const vtkSmartPointer<vtkUnstructuredGrid> grid = read_grid(path);
+  if (!grid)
     refuse(path);
-
   MixedMesh mesh;
-  for (vtkIdType n = 0; n < grid->GetNumberOfPoints(); ++n)
-  {
-    mesh.X.push_back(flipped(Vec3(grid->GetPoint(n))));
-    mesh.node_boundary.push_back(static_cast<Boundary>(static_cast<int>(boundary->GetTuple1(n))));
-    mesh.node_fragment.push_back(static_cast<int>(fragment->GetTuple1(n)));
-  }
-  vtkNew<vtkIdList> ids;
-  for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c)
-  {
-    grid->GetCellPoints(c, ids);
-    auto id = [&](vtkIdType i) { return static_cast<int>(ids->GetId(i)); };
-    if (grid->GetCellType(c) == VTK_WEDGE)
-      mesh.prisms.push_back({id(0), id(1), id(2), id(3), id(4), id(5)});
-    else if (grid->GetCellType(c) == VTK_TETRA)
-    {
-      mesh.tets.push_back({id(0), id(1), id(2), id(3)});
-      mesh.tet_tissue.push_back(static_cast<Tissue>(static_cast<int>(tissue->GetTuple1(c))));
-    }
-    else
-      refuse(path);
-  }
+  auto* names = vtkStringArray::SafeDownCast(grid->GetFieldData()->GetAbstractArray("fragments"));
   for (vtkIdType i = 0; names && i < names->GetNumberOfValues(); ++i)
     mesh.fragments.push_back(names->GetValue(i));
+  if (!take_nodes(grid, mesh) || !take_elements(grid, mesh))
+    refuse(path);
   return mesh;
 }
 
 std::vector<Vec3> read_node_vectors(const std::filesystem::path& path, const std::string& name)
 {
-  const VtkMessages messages;
-  vtkNew<vtkXMLUnstructuredGridReader> reader;
-  reader->SetFileName(path.c_str());
-  reader->Update();
-  vtkUnstructuredGrid* grid = reader->GetOutput();
-  if (messages.error() || grid->GetNumberOfPoints() == 0)
+  const vtkSmartPointer<vtkUnstructuredGrid> grid = read_grid(path);
+  if (!grid || grid->GetNumberOfPoints() == 0)
     refuse(path);
-  vtkDataArray* array = grid->GetPointData()->GetArray(name.c_str());
+  vtkDataArray* array = array_of(grid->GetPointData(), name.c_str(), 3, grid->GetNumberOfPoints());
   std::vector<Vec3> vectors;
   for (vtkIdType n = 0; array && n < array->GetNumberOfTuples(); ++n)
     vectors.push_back(flipped(Vec3(array->GetTuple3(n))));

@@ -9,7 +9,6 @@
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkNew.h>
-#include <vtkPLYReader.h>
 #include <vtkPLYWriter.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
@@ -184,13 +183,8 @@ LoadedSurface load(const std::filesystem::path& path)
   }
   if (kind == ".ply")
   {
-    require_whole_ply(path);
-    vtkNew<vtkPLYReader> reader;
-    LoadedSurface loaded{run(reader.Get(), path), ""};
-    for (vtkIdType i = 0; i < reader->GetComments()->GetNumberOfValues(); ++i)
-      if (loaded.frame.empty())
-        loaded.frame = frame_in(std::string(reader->GetComments()->GetValue(i)).c_str());
-    return loaded;
+    const PlyFile ply = read_ply(path);
+    return {ply.surface, frame_in(ply.comments.c_str())};
   }
   if (kind == ".obj")
   {

@@ -4,6 +4,8 @@
 
 #include <Bridge/mesh_file.hpp>
 
+#include <cmath>
+
 namespace f2b
 {
 namespace
@@ -43,6 +45,27 @@ TEST(MeshFile, DamagedAndForeignFilesAreRefused)
   expect_error([&] { read_mesh(folder / "absent.vtu"); }, {"absent.vtu"});
   expect_error([&] { write_mesh("/proc/x.vtu", testing::make_slab({})); },
                {"/proc/x.vtu", "written"});
+}
+
+TEST(MeshFile, NumbersThatFitNoMeshAreRefused)
+{
+  const TemporaryFolder folder;
+  using Damage = void (*)(MixedMesh&);
+  const std::pair<const char*, Damage> damages[] = {
+      {"a corner that is no node", [](MixedMesh& m) { m.tets[0][3] = m.node_count(); }},
+      {"a fragment that is none", [](MixedMesh& m) { m.node_fragment[0] = 7; }},
+      {"a part of the boundary that is none",
+       [](MixedMesh& m) { m.node_boundary[0] = static_cast<Boundary>(9); }},
+      {"a tissue that is none", [](MixedMesh& m) { m.tet_tissue[0] = static_cast<Tissue>(3); }},
+      {"a node nowhere", [](MixedMesh& m) { m.X[0].x() = std::nan(""); }}};
+  for (const auto& [what, damage] : damages)
+  {
+    SCOPED_TRACE(what);
+    MixedMesh mesh = testing::make_slab({});
+    damage(mesh);
+    write_mesh(folder / "m.vtu", mesh);
+    expect_error([&] { read_mesh(folder / "m.vtu"); }, {"m.vtu", "facetobone mesh"});
+  }
 }
 
 } // namespace

@@ -7,6 +7,10 @@
 #include <vtkPointData.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <fstream>
 #include <sstream>
 
 namespace f2b
@@ -29,6 +33,39 @@ std::string ply(const std::string& comment, const std::string& first_vertex)
          "element vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
          "element face 1\nproperty list uchar int vertex_indices\nend_header\n" +
          first_vertex + "\n10 0 0\n0 10 0\n3 0 1 2\n";
+}
+
+/// The bytes of a number, in the order of the two kinds of binary .ply.
+template <class Value>
+std::string bytes_of(Value value, bool big_endian)
+{
+  std::string bytes(reinterpret_cast<const char*>(&value), sizeof value);
+  const std::uint16_t one = 1;
+  if ((*reinterpret_cast<const char*>(&one) == 0) != big_endian)
+    std::reverse(bytes.begin(), bytes.end());
+  return bytes;
+}
+
+/// Two triangles as scanners write them: with colours and with more lists than the corners.
+std::string scanned_ply(bool big_endian)
+{
+  std::string text = std::string("ply\nformat binary_") + (big_endian ? "big" : "little") +
+                     "_endian 1.0\nobj_info of a scanner\nelement vertex 4\nproperty uchar red\n"
+                     "property double x\nproperty float y\nproperty float z\n"
+                     "element face 2\nproperty list uchar float texcoord\n"
+                     "property list int ushort vertex_index\nend_header\n";
+  for (const Vec3& p : tetrahedron().points)
+    text += bytes_of(std::uint8_t(200), big_endian) + bytes_of(p.x(), big_endian) +
+            bytes_of(static_cast<float>(p.y()), big_endian) +
+            bytes_of(static_cast<float>(p.z()), big_endian);
+  for (const auto& corners : {std::array{0, 2, 1}, std::array{0, 1, 3}})
+  {
+    text += bytes_of(std::uint8_t(2), big_endian) + bytes_of(0.5f, big_endian) +
+            bytes_of(1.0f, big_endian) + bytes_of(std::int32_t(3), big_endian);
+    for (const int corner : corners)
+      text += bytes_of(static_cast<std::uint16_t>(corner), big_endian);
+  }
+  return text;
 }
 
 std::string stl(const std::string& header)
@@ -133,6 +170,30 @@ TEST(SurfaceFile, PolygonsBecomeTriangles)
   EXPECT_EQ(to_triangle_mesh(read_surface(file)).triangles.size(), 2u);
 }
 
+TEST(SurfaceFile, BinaryPlyOfAScannerIsReadInBothByteOrders)
+{
+  const TemporaryFolder folder;
+  for (const bool big_endian : {false, true})
+  {
+    const auto file = folder.write("scan.ply", "");
+    std::ofstream(file, std::ios::binary) << scanned_ply(big_endian);
+    const TriangleMesh read = to_triangle_mesh(read_surface(file));
+    ASSERT_EQ(read.points.size(), 4u);
+    EXPECT_EQ(read.points[3], Vec3(-1, -2, 18.25)) << "LPS in the file";
+    const std::vector<Triangle> corners = {{0, 2, 1}, {0, 1, 3}};
+    EXPECT_EQ(read.triangles, corners);
+  }
+}
+
+TEST(SurfaceFile, PlyWithAFaceOfVerticesThatAreNotThereIsRefused)
+{
+  const TemporaryFolder folder;
+  std::string text = ply("", "1 2 3");
+  text.replace(text.rfind("3 0 1 2"), 7, "3 0 1 7");
+  const auto file = folder.write("s.ply", text);
+  expect_error([&] { read_surface(file); }, {file.string(), "face 1", "not there"});
+}
+
 TEST(SurfaceFile, NonFiniteVerticesAreRefused)
 {
   const TemporaryFolder folder;
@@ -169,7 +230,10 @@ TEST(SurfaceFile, DamagedFilesAreRefusedInOneLine)
                                                        {"k.stl", stl("x").substr(0, 60)},
                                                        {"l.vtk", "junk"},
                                                        {"m.obj", "v 0 0 0\nv 1 0 0\n"},
-                                                       {"n.ply", "junk\n"}};
+                                                       {"n.ply", "junk\n"},
+                                                       {"o.ply", ply("elephant 1\n", "1 2 3")},
+                                                       {"p.ply", ply("element sky 1\n", "1 2 3")},
+                                                       {"q.ply", ply("", "1 2 three")}};
   for (const auto& [name, text] : cases)
   {
     const auto file = folder.write(name, text);
