@@ -9,6 +9,9 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <queue>
+#include <string>
+#include <utility>
 
 namespace f2b
 {
@@ -68,6 +71,7 @@ private:
   void spread();
   void collect_cuts();
   void require_freed() const;
+  std::string way_round(std::size_t cut) const;
 
   const ScalarGrid& m_bone;
   const ScalarGrid& m_closed;
@@ -242,6 +246,68 @@ void Flood::collect_cuts()
   }
 }
 
+/// In words: where the bone that leads from one side of a cut to its other side is narrowest, on the
+/// way where it is widest; so where a cut is missing or too small. Empty where none leads there.
+std::string Flood::way_round(std::size_t cut) const
+{
+  const std::size_t nx = static_cast<std::size_t>(m_bone.size.x()),
+                    step[3] = {1, nx, nx * static_cast<std::size_t>(m_bone.size.y())};
+  const auto depth = [this](std::size_t voxel) { return -m_bone.values[voxel]; };
+  // from where the cut goes through the thickest bone
+  std::size_t from = 0, to = 0;
+  float deepest = 0;
+  for (const LatticeCuts::Passage& p : m_cuts.passages())
+  {
+    const std::size_t next = p.sample + step[p.axis];
+    if (p.cut == cut && std::min(depth(p.sample), depth(next)) > deepest &&
+        m_component[p.sample] == m_component[next])
+    {
+      deepest = std::min(depth(p.sample), depth(next));
+      from = p.sample;
+      to = next;
+    }
+  }
+  if (deepest == 0)
+    return "";
+  struct Way
+  {
+    float width; ///< at its narrowest
+    std::size_t voxel, narrowest;
+    bool operator<(const Way& other) const
+    {
+      return width != other.width ? width < other.width : voxel > other.voxel;
+    }
+  };
+  std::vector<char> reached(m_component.size(), 0);
+  std::priority_queue<Way> open;
+  open.push({depth(from), from, from});
+  while (!open.empty())
+  {
+    const Way way = open.top();
+    open.pop();
+    if (way.voxel == to)
+    {
+      const Vec3 at = position(way.narrowest);
+      char place[96];
+      std::snprintf(place, sizeof place,
+                    ": bone leads round it, narrowest near R %.0f, A %.0f, S %.0f", at.x(), at.y(),
+                    at.z());
+      return place;
+    }
+    if (std::exchange(reached[way.voxel], 1))
+      continue;
+    for_each_neighbor(way.voxel,
+                      [&](std::size_t next, bool through_cut)
+                      {
+                        if (through_cut || !is_bone(next) || reached[next])
+                          return;
+                        open.push(depth(next) < way.width ? Way{depth(next), next, next}
+                                                          : Way{way.width, next, way.narrowest});
+                      });
+  }
+  return "";
+}
+
 /// Every cut passes through bone, and has the same fragment on both sides hardly anywhere.
 void Flood::require_freed() const
 {
@@ -276,7 +342,7 @@ void Flood::require_freed() const
     if (static_cast<double>(s.through_fragment) > 0.3 * static_cast<double>(s.hits))
       throw Error(who,
                   "the cuts do not free the fragment: " + std::string(share) +
-                      " % of this one has the same fragment on both sides",
+                      " % of this one has the same fragment on both sides" + way_round(c),
                   "enlarge the cuts or add one until they part the fragment from the skull");
   }
 }

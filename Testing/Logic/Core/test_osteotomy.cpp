@@ -183,7 +183,8 @@ TEST(Osteotomy, CutsThatDoNotFreeAreRefused)
   const ScalarGrid bone = box_bone();
   Osteotomy cut = cut_at(5, 20);
   cut.planes[0].half_u = 10; // half of the width
-  expect_error([&] { cut_bone(bone, bone, {cut}); }, {"'end'", "do not free", "100 %"});
+  expect_error([&] { cut_bone(bone, bone, {cut}); },
+               {"'end'", "do not free", "100 %", "bone leads round it, narrowest near R 5,"});
 }
 
 TEST(Osteotomy, TwoOfOnePieceAreRefused)
