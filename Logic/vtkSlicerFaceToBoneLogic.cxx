@@ -202,7 +202,7 @@ vtkMRMLFaceToBonePlanNode* vtkSlicerFaceToBoneLogic::AddPlanFromFile(const std::
   const Ending ending = Attempt(
       [&]
       {
-        const nlohmann::json document = f2b::read_json(fileName);
+        const nlohmann::json document = f2b::read_case(fileName);
         const f2b::CaseSettings settings = f2b::parse_settings(document, fileName);
         const f2b::CaseNodes nodes = f2b::add_case_nodes(this->GetMRMLScene(), settings.name);
         f2b::settings_to_nodes(document, nodes);

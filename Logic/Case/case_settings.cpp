@@ -1,5 +1,6 @@
 #include "Case/case_settings.hpp"
 
+#include "Bridge/json_file.hpp"
 #include "Bridge/resources.hpp"
 #include "Case/schema_check.hpp"
 #include "Case/settings_paths.hpp"
@@ -182,11 +183,10 @@ TargetSettings target_from(const json& value, const Path& source)
     target.movements = movements_from(value["from_movement"]);
   take(value, "mask_mm", target.mask_mm);
   take(value, "registration_sd_mm", target.registration_sd_mm);
-  const int kinds = !target.mesh.empty() + !target.scan.empty() + !target.warp_from.empty() +
-                    !target.movements.empty();
-  if (kinds != 1)
+  if (target.kinds() != 1)
     throw Error(source.string(),
-                "'/target' has " + std::to_string(kinds) + " of mesh, scan, warp and from_movement",
+                "'/target' has " + std::to_string(target.kinds()) +
+                    " of mesh, scan, warp and from_movement",
                 "give exactly one of them");
   return target;
 }
@@ -215,9 +215,11 @@ void read_groups(const json& document, CaseSettings& s)
   take(segmentation, "spacing_mm", s.spacing_mm);
   take(segmentation, "head_closing_mm", s.head_closing_mm);
   take(segmentation, "bone_closing_mm", s.bone_closing_mm);
+  take(segmentation, "surface_error_mm", s.surface_error_mm);
   s.level_set = segmentation.value("bone", "") == "level-set";
   const json mesh = document.value("mesh", none);
   take(mesh, "density", s.mesh_density);
+  take(mesh, "tetrahedra", s.mesh_tetrahedra);
   take(mesh, "release_margin_mm", s.release_margin_mm);
   take(mesh, "contact_tolerance_mm", s.contact_tolerance_mm);
   const json solver = document.value("solver", none);
@@ -269,6 +271,35 @@ RigidMotion StatedMovement::about(const Vec3& reference_point) const
   return {rotation_from({angles[0], angles[1], angles[2]}), translation, reference_point};
 }
 
+json read_case(const Path& file)
+{
+  std::string kind = file.extension().string();
+  std::transform(kind.begin(), kind.end(), kind.begin(),
+                 [](unsigned char c) { return std::tolower(c); });
+  const bool folder = std::filesystem::is_directory(file);
+  if (folder && std::filesystem::exists(file / "case.json"))
+    throw Error(file.string(), "it is a case folder", "give its case.json");
+  static const std::set<std::string> images = {".nrrd", ".nhdr", ".mha", ".mhd",
+                                               ".nii",  ".gz",   ".dcm"};
+  if (!folder && !images.count(kind))
+    return read_json(file);
+  return {{"schema", "facetobone-case/1"}, {"ct", std::filesystem::absolute(file).string()}};
+}
+
+void require_cuts(const CaseSettings& settings)
+{
+  if (settings.osteotomies.empty())
+    throw Error("case.json", "'/osteotomies' is absent: there is nothing to cut",
+                "name a template, such as {\"template\": \"le-fort-1\"}, or planes or curves");
+}
+
+void require_target(const CaseSettings& settings)
+{
+  if (settings.target.kinds() == 0)
+    throw Error("case.json", "'/target' is absent: no face is to be reached",
+                "give a mesh, a scan, a warp or from_movement");
+}
+
 CaseSettings parse_settings(const json& document, const Path& source)
 {
   static const json schema = json::parse(*carried_resource("Schema/case.schema.json"));
@@ -286,10 +317,12 @@ CaseSettings parse_settings(const json& document, const Path& source)
   read_groups(document, s);
   take_path(document.value("segmentation", json::object()), "seeds", source, s.seeds);
   take_path(document.value("segmentation", json::object()), "labels", source, s.labels);
-  for (std::size_t i = 0; i < document["osteotomies"].size(); ++i)
-    s.osteotomies.push_back(osteotomy_from(document["osteotomies"][i], i, source));
+  const json osteotomies = document.value("osteotomies", json::array());
+  for (std::size_t i = 0; i < osteotomies.size(); ++i)
+    s.osteotomies.push_back(osteotomy_from(osteotomies[i], i, source));
   s.protected_structures = protected_from(document, source);
-  s.target = target_from(document["target"], source);
+  if (document.contains("target"))
+    s.target = target_from(document["target"], source);
   s.predict = movements_from(document.value("predict", json::object()));
   check_together(s, source);
   take(document, "materials", s.materials);

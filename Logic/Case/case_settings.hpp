@@ -59,7 +59,7 @@ struct ProtectedSettings
 
 struct TargetSettings
 {
-  Path mesh; ///< exactly one of mesh, scan, warp_from/warp_to, movements is given
+  Path mesh; ///< one of mesh, scan, warp_from/warp_to, movements; none: no target yet
   Path scan;
   double scan_reach_mm = 30;
   Path warp_from, warp_to;
@@ -67,6 +67,12 @@ struct TargetSettings
   Movements movements;
   double mask_mm = 0;
   double registration_sd_mm = 0; ///< SkinTarget's
+
+  /// How many of the kinds of target are given.
+  int kinds() const
+  {
+    return !mesh.empty() + !scan.empty() + !warp_from.empty() + !movements.empty();
+  }
 };
 
 /// The paper's own method.
@@ -86,14 +92,16 @@ struct CaseSettings
   std::optional<double> skin_threshold_hu, bone_threshold_hu;
   std::optional<Box> region_ras;
   double spacing_mm = 1.0, head_closing_mm = 5, bone_closing_mm = 8;
-  bool level_set = false; ///< bone by it instead of the threshold
-  Path seeds, labels;     ///< of the level set; edited by hand
+  double surface_error_mm = 0; ///< of decimation; 0: none
+  bool level_set = false;      ///< bone by it instead of the threshold
+  Path seeds, labels;          ///< of the level set; edited by hand
   double skin_thickness_mm = 1.5;
   std::vector<OsteotomySettings> osteotomies;
   std::vector<ProtectedSettings> protected_structures;
   TargetSettings target;
   std::string materials = "table1-stable";
   double mesh_density = 1, release_margin_mm = 5, contact_tolerance_mm = 2;
+  std::optional<int> mesh_tetrahedra; ///< how many are wanted; density follows
   int threads = 0;
   int max_newton_iterations = 25, max_fit_iterations = 40;
   double step_tolerance_mm = 1e-8;
@@ -101,6 +109,12 @@ struct CaseSettings
   std::string predict_model = "nfm-em";
   Movements predict;
 };
+
+/// The case that a file states; where it is a CT, a case of that CT alone, without cuts and target.
+nlohmann::json read_case(const Path& file);
+/// Throw Error where a case has no cuts, or no target, and a step needs them.
+void require_cuts(const CaseSettings& settings);
+void require_target(const CaseSettings& settings);
 
 /// Checks a document against the schema and what the schema cannot say.
 /// \param source  its file, for messages and to resolve relative paths

@@ -137,6 +137,7 @@ CutSurfaces sawn_surfaces(const TriangleMesh& bone, BonePartition& partition)
 void cut_case(CaseSession& session)
 {
   const Stopwatch watch;
+  require_cuts(session.settings);
   const CaseFolder& folder = session.folder;
   const ScalarGrid bone = read_scalar_grid(folder.require("bone_distance.nrrd", "segment"));
   const ScalarGrid closed =

@@ -5,6 +5,10 @@
 #include "Case/verbs.hpp"
 #include "Core/mesh/contact.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
 namespace f2b
 {
 namespace
@@ -60,6 +64,37 @@ json report_json(const ShellMeshReport& r, const ContactReport& contact)
           {"remarks", remarks}};
 }
 
+/// The shell with about as many tetrahedra as are asked for. Their number goes with density, but for
+/// what the shape needs anyway; the density that was found becomes the case's own.
+ShellMesh shell_of_size(CaseSession& session, const ShellInputs& inputs, int wanted)
+{
+  constexpr double near_enough = 0.05, least_density = 0.02, most_density = 20;
+  constexpr int tries = 4;
+  std::optional<ShellMesh> best;
+  double density = session.settings.mesh_density, best_density = density;
+  const auto apart = [wanted](const ShellMesh& shell)
+  { return std::abs(std::log(static_cast<double>(shell.report.tets) / wanted)); };
+  for (int attempt = 0; attempt < tries; ++attempt)
+  {
+    const Progress part = [&](std::string_view what, double fraction)
+    { session.progress(what, (attempt + fraction) / tries); };
+    ShellMesh shell = mesh_shell(session, inputs, density, part);
+    const double next =
+        std::clamp(density * wanted / shell.report.tets, least_density, most_density);
+    if (!best || apart(shell) < apart(*best))
+    {
+      best = std::move(shell);
+      best_density = density;
+    }
+    if (apart(*best) < std::log1p(near_enough) || next == density)
+      break;
+    density = next;
+  }
+  session.settings.mesh_density = best_density;
+  session.document["mesh"]["density"] = best_density;
+  return std::move(*best);
+}
+
 } // namespace
 
 void mesh_case(CaseSession& session)
@@ -69,13 +104,17 @@ void mesh_case(CaseSession& session)
   const ShellInputs inputs(folder);
   const std::vector<Osteotomy> osteotomies = placed_osteotomies(folder);
 
-  ShellMesh shell = mesh_shell(session, inputs, session.settings.mesh_density, session.progress);
+  const std::optional<int> wanted = session.settings.mesh_tetrahedra;
+  ShellMesh shell =
+      wanted ? shell_of_size(session, inputs, *wanted)
+             : mesh_shell(session, inputs, session.settings.mesh_density, session.progress);
   session.progress("finding what the tissue hangs on", 0.95);
   const BonePartition partition = cut_bone(inputs.bone, inputs.closed_bone, osteotomies);
   const ContactReport contact =
       assign_contacts(shell.mesh, partition, session.settings.release_margin_mm);
 
   CaseChange change(session.folder);
+  session.write_settings(change.folder());
   write_mesh(change.file("mesh.vtu"), shell.mesh);
   json report = report_json(shell.report, contact);
   report["seconds"] = watch.seconds();

@@ -37,7 +37,10 @@ void run_case(const nlohmann::json& document, const Path& source, const Path& fo
                                {mesh_case, 0.15, 0.3},  {target_case, 0.3, 0.4},
                                {plan_case, 0.4, 0.92},  {report, 0.92, 1}};
   const Stopwatch watch;
-  require_inputs_elsewhere(parse_settings(document, source), folder);
+  const CaseSettings settings = parse_settings(document, source);
+  require_cuts(settings);
+  require_target(settings);
+  require_inputs_elsewhere(settings, folder);
   CaseFolder destination(folder);
   destination.set_commit_hook(hook);
   destination.require_replaceable(case_file_names(), "segment");

@@ -8,6 +8,7 @@
 #include "Case/verbs.hpp"
 #include "Case/warp_points.hpp"
 #include "Core/error.hpp"
+#include "Core/sculpting/mirror_plane.hpp"
 #include "Imaging/read_ct.hpp"
 #include "Imaging/segment_head.hpp"
 #include "Meshing/isosurface.hpp"
@@ -120,6 +121,25 @@ json surface_facts(vtkPolyData* surface)
           {"non_manifold_edges", check.non_manifold_edges}};
 }
 
+/// Where the middle of the face is, by its symmetry alone. Skin at the walls of the region is a cut
+/// through the head, and does not count.
+json midline_guess(const TriangleMesh& skin, const Box& region)
+{
+  constexpr double wall_mm = 3;
+  std::vector<int> inside;
+  for (std::size_t v = 0; v < skin.points.size(); ++v)
+    if (((skin.points[v] - region.min).array() > wall_mm).all() &&
+        ((region.max - skin.points[v]).array() > wall_mm).all())
+      inside.push_back(static_cast<int>(v));
+  const std::optional<MirrorPlane> found = mirror_plane(skin, inside);
+  if (!found)
+    return nullptr;
+  return {{"point_ras", to_json(found->plane.point)},
+          {"normal_ras", to_json(found->plane.normal)},
+          {"asymmetry_mm", found->asymmetry_mm},
+          {"note", "a guess from the symmetry of the skin; landmarks say it better"}};
+}
+
 } // namespace
 
 void segment_case(CaseSession& session)
@@ -136,9 +156,11 @@ void segment_case(CaseSession& session)
 
   session.progress("making surfaces", 0.8);
   SurfaceOptions skin_options;
+  skin_options.decimation_error_mm = session.settings.surface_error_mm;
+  SurfaceOptions bone_options = skin_options;
   skin_options.largest_component = true;
   const auto skin = watertight_isosurface(head.skin, 0, skin_options);
-  const auto bone = watertight_isosurface(head.bone, 0, {});
+  const auto bone = watertight_isosurface(head.bone, 0, bone_options);
 
   const Landmarks landmarks =
       session.settings.landmarks.empty() ? Landmarks{} : read_landmarks(session.settings.landmarks);
@@ -180,6 +202,7 @@ void segment_case(CaseSession& session)
               {"skin", surface_facts(skin)},
               {"bone", surface_facts(bone)},
               {"regions", told_regions},
+              {"midline_guess", midline_guess(skin_mesh, head.region_ras)},
               {"inputs", inputs},
               {"notes", notes}});
   change.commit("segment");

@@ -135,6 +135,7 @@ std::vector<double> masked(std::vector<double> weight, const std::vector<Vec3>& 
 void target_case(CaseSession& session)
 {
   const Stopwatch watch;
+  require_target(session.settings);
   const TargetSettings& target = session.settings.target;
   const vtkSmartPointer<vtkPolyData> skin =
       read_surface(session.folder.require("skin.vtp", "segment"));

@@ -228,11 +228,11 @@ CLI::App* add_movements(CLI::App* verb, Arguments& a)
   return verb;
 }
 
-CLI::App* add_case_verb(CLI::App& app, Arguments& a, const char* name, const char* help)
+CLI::App* add_case_verb(CLI::App& app, Arguments& a, const char* name, const char* help,
+                        const char* what)
 {
   CLI::App* verb = app.add_subcommand(name, help);
-  verb->add_option("CASE", a.case_file, "Case file (JSON; Resources/Schema/case.schema.json)")
-      ->required();
+  verb->add_option("CASE", a.case_file, what)->required();
   verb->add_option("-o,--output", a.folder, "Case folder to write")->required();
   verb->add_option(
       "--series", a.series,
@@ -436,9 +436,10 @@ std::map<CLI::App*, Action> add_verbs(CLI::App& app, Arguments& a)
   std::map<CLI::App*, Action> actions;
   add_sample(app, a, actions);
   actions[add_case_verb(app, a, "run",
-                        "Do everything: CT and target face in, plan and report out")] = run;
-  actions[add_case_verb(app, a, "segment", "Find skin and bone in the CT; begins a case folder")] =
-      segment;
+                        "Do everything: CT and target face in, plan and report out",
+                        "Case file (JSON; Resources/Schema/case.schema.json)")] = run;
+  actions[add_case_verb(app, a, "segment", "Find skin and bone in the CT; begins a case folder",
+                        "Case file, or a CT: DICOM folder, .nrrd, .mha, .mhd, .nii")] = segment;
   actions[add_verb(app, a, "cut", "Cut the bone into fragments")] = cut;
   actions[add_verb(app, a, "mesh", "Mesh skin and soft tissue between face and bone")] =
       on_case(&vtkSlicerFaceToBoneLogic::Mesh);

@@ -28,6 +28,13 @@ struct Quadric
   double at(const Vec3& x) const { return x.dot(A * x) + 2.0 * b.dot(x) + c; }
 };
 
+struct Plane
+{
+  Vec3 normal;
+  double offset;
+  double distance(const Vec3& x) const { return std::abs(normal.dot(x) - offset); }
+};
+
 struct Candidate
 {
   double cost;
@@ -47,11 +54,11 @@ struct Candidate
 class EdgeCollapse
 {
 public:
-  explicit EdgeCollapse(const TriangleMesh& surface)
-      : m_points(surface.points), m_triangles(surface.triangles),
+  EdgeCollapse(const TriangleMesh& surface, double error_mm)
+      : m_error(error_mm), m_points(surface.points), m_triangles(surface.triangles),
         m_alive(surface.triangles.size(), 1), m_fans(surface.points.size()),
         m_quadrics(surface.points.size()), m_versions(surface.points.size(), 0),
-        m_left(surface.triangles.size())
+        m_planes(surface.points.size())
   {
     for (int t = 0; t < static_cast<int>(m_triangles.size()); ++t)
       add_triangle(t);
@@ -61,9 +68,9 @@ public:
           push(t[c], t[(c + 1) % 3]);
   }
 
-  void reduce(std::size_t target)
+  void run()
   {
-    while (m_left > target && !m_queue.empty())
+    while (!m_queue.empty())
     {
       const Candidate next = m_queue.top();
       m_queue.pop();
@@ -111,7 +118,10 @@ private:
     {
       m_fans[corner].push_back(number);
       if (area > 0.0)
+      {
         m_quadrics[corner].add_plane(a / area, m_points[t[0]], area);
+        m_planes[corner].push_back({a / area, a.dot(m_points[t[0]]) / area});
+      }
     }
   }
 
@@ -172,9 +182,16 @@ private:
     return true;
   }
 
+  bool stays_near(int point, const Vec3& place) const
+  {
+    return std::all_of(m_planes[point].begin(), m_planes[point].end(),
+                       [&](const Plane& plane) { return plane.distance(place) <= m_error; });
+  }
+
   bool allowed(const Candidate& edge) const
   {
-    return link_is_simple(edge.from, edge.to) && keeps_facing(edge.from, edge.to, edge.place) &&
+    return stays_near(edge.from, edge.place) && stays_near(edge.to, edge.place) &&
+           link_is_simple(edge.from, edge.to) && keeps_facing(edge.from, edge.to, edge.place) &&
            keeps_facing(edge.to, edge.from, edge.place);
   }
 
@@ -183,6 +200,8 @@ private:
     const int kept = edge.from, gone = edge.to;
     m_points[kept] = edge.place;
     m_quadrics[kept] = m_quadrics[kept] + m_quadrics[gone];
+    m_planes[kept].insert(m_planes[kept].end(), m_planes[gone].begin(), m_planes[gone].end());
+    m_planes[gone] = {};
     const std::vector<int> fan = std::move(m_fans[gone]);
     m_fans[gone].clear();
     for (const int number : fan)
@@ -195,7 +214,6 @@ private:
         continue;
       }
       m_alive[number] = 0;
-      --m_left;
       for (const int corner : t)
       {
         std::vector<int>& other = m_fans[corner];
@@ -208,22 +226,23 @@ private:
       push(std::min(kept, neighbour), std::max(kept, neighbour));
   }
 
+  double m_error;
   std::vector<Vec3> m_points;
   std::vector<Triangle> m_triangles;
   std::vector<char> m_alive;
   std::vector<std::vector<int>> m_fans; ///< living triangles around each point
   std::vector<Quadric> m_quadrics;
   std::vector<int> m_versions;
-  std::size_t m_left;
+  std::vector<std::vector<Plane>> m_planes; ///< of the triangles that a vertex stands for
   std::priority_queue<Candidate> m_queue;
 };
 
 } // namespace
 
-TriangleMesh collapse_edges(const TriangleMesh& closed_surface, std::size_t target_triangles)
+TriangleMesh collapse_edges(const TriangleMesh& closed_surface, double error_mm)
 {
-  EdgeCollapse collapse(closed_surface);
-  collapse.reduce(target_triangles);
+  EdgeCollapse collapse(closed_surface, error_mm);
+  collapse.run();
   return collapse.result();
 }
 

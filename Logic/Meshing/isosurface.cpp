@@ -139,13 +139,11 @@ Surface smoothed(vtkPolyData* surface, const SurfaceOptions& options)
   return surface_of(mesh);
 }
 
-Surface decimated(vtkPolyData* surface, double target_edge)
+/// Not where large triangles would cross one another: such a surface stays as it was.
+Surface decimated(vtkPolyData* surface, double error_mm)
 {
-  const double area = check_surface(surface).area_mm2;
-  const double wanted = area / (std::sqrt(3.0) / 4.0 * target_edge * target_edge);
-  if (wanted >= static_cast<double>(surface->GetNumberOfPolys()))
-    return surface;
-  return surface_of(collapse_edges(mesh_of(surface), static_cast<std::size_t>(wanted)));
+  const TriangleMesh fewer = collapse_edges(mesh_of(surface), error_mm);
+  return crossing_triangles(fewer).empty() ? surface_of(fewer) : Surface(surface);
 }
 
 Surface facing_outwards(vtkPolyData* surface)
@@ -181,8 +179,8 @@ Surface watertight_isosurface(const ScalarGrid& grid, double level, const Surfac
     surface = largest_piece(surface);
   if (options.smoothing_iterations > 0)
     surface = smoothed(surface, options);
-  if (options.target_edge_mm > 0.0)
-    surface = decimated(surface, options.target_edge_mm);
+  if (options.decimation_error_mm > 0.0)
+    surface = decimated(surface, options.decimation_error_mm);
   return with_normals(facing_outwards(surface));
 }
 

@@ -13,8 +13,8 @@ namespace f2b
 
 struct SurfaceOptions
 {
-  double target_edge_mm = 0.0;   ///< mean edge after decimation; 0 keeps the grid's own triangles
-  int smoothing_iterations = 15; ///< of a windowed sinc filter; 0 for none
+  double decimation_error_mm = 0.0; ///< how far decimation may go from the surface; 0: none
+  int smoothing_iterations = 15;    ///< of a windowed sinc filter; 0 for none
   double smoothing_pass_band = 0.1; ///< lower is smoother, in (0, 2)
   bool largest_component = false;   ///< drop all other pieces and inner cavities
 };

@@ -64,8 +64,10 @@ void write_warp_nodes(const CaseNodes& nodes, const fs::path& folder)
     target->SetWarpToFileName(file_of(to, folder, "warp_to.mrk.json"));
 }
 
-void complete_target(json& document)
+void drop_empty_target(json& document)
 {
+  if (!document.contains("target"))
+    return;
   json& target = document["target"];
   for (const auto& [key, file_key] : {std::pair("mesh", ""), {"scan", "mesh"}, {"warp", "from"}})
     if (target.contains(key))
@@ -74,11 +76,9 @@ void complete_target(json& document)
       if (!file.is_string() || file.get<std::string>().empty())
         target.erase(key);
     }
-  const bool has = target.contains("mesh") || target.contains("scan") || target.contains("warp") ||
-                   target.contains("from_movement");
-  if (!has && !document["osteotomies"].empty())
-    target["from_movement"][document["osteotomies"][0].value("fragment", "")] =
-        to_movement_json(SixCoordinates{});
+  if (!target.contains("mesh") && !target.contains("scan") && !target.contains("warp") &&
+      !target.contains("from_movement"))
+    document.erase("target");
 }
 
 } // namespace f2b

@@ -15,7 +15,7 @@ void write_input_nodes(const CaseNodes& nodes, const std::filesystem::path& fold
 /// The warp's points alone.
 void write_warp_nodes(const CaseNodes& nodes, const std::filesystem::path& folder);
 
-/// A case needs a target before there is a skin to draw one on: the face as it is.
-void complete_target(nlohmann::json& document);
+/// Until it is given one, a target node states a file that it does not have.
+void drop_empty_target(nlohmann::json& document);
 
 } // namespace f2b

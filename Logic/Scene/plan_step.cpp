@@ -94,8 +94,7 @@ StepRequest prepare_step(const CaseNodes& nodes, int step, const SettingsOrigin&
     write_warp_nodes(nodes, request.folder);
   }
   request.document = settings_from_nodes(nodes);
-  if (begins_case(step))
-    complete_target(request.document);
+  drop_empty_target(request.document);
   parse_settings(request.document, origin.name); // whether it is valid, in words
   request.document = with_absolute_paths(request.document, origin.file);
   return request;

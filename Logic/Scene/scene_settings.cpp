@@ -120,7 +120,8 @@ json settings_from_nodes(const CaseNodes& nodes)
   json document = plan_from_node(nodes.plan);
   document["schema"] = "facetobone-case/1";
   document["osteotomies"] = osteotomies_from_node(nodes.osteotomy);
-  document["target"] = target_from_node(nodes.target);
+  if (json target = target_from_node(nodes.target); !target.empty())
+    document["target"] = std::move(target);
   return document;
 }
 

@@ -305,7 +305,7 @@ def sanitizers(tier):
 
 
 def window_events(tier):
-    """10 000 random events for each 3D tool of the window, under ASan and UBSan."""
+    """10 000 random events for each 3D tool, under ASan and UBSan, and for the window at the step of the cuts."""
     root = here.parent.parent
     for command in (["cmake", "--preset", "asan"], ["cmake", "--build", "--preset", "asan", "--target", "test_tools"]):
         subprocess.run(command, cwd=root, capture_output=True, text=True, check=True)
@@ -316,7 +316,12 @@ def window_events(tier):
     passed = re.search(r"\[  PASSED  \] (\d+) tests?", done.stdout)
     if done.returncode or not passed:
         print(done.stdout[-2000:] + done.stderr[-2000:], flush=True)
-    return [("tools with 10 000 random events each under ASan and UBSan", int(passed[1]) if passed else 0, ">= 6",
+    window = subprocess.run([tier.tool("Widgets/test_main_window"), "--gtest_filter=*Random*"], capture_output=True,
+                            text=True, env=dict(os.environ, FACETOBONE_RANDOM_EVENTS="10000"))
+    if window.returncode:
+        print(window.stdout[-2000:] + window.stderr[-2000:], flush=True)
+    return [("window with 10 000 random events while it cuts", int(window.returncode == 0), "1", window.returncode == 0),
+            ("tools with 10 000 random events each under ASan and UBSan", int(passed[1]) if passed else 0, ">= 6",
              done.returncode == 0 and passed is not None and int(passed[1]) >= 6)]
 
 
@@ -754,7 +759,7 @@ def mesh_growth(tier):
     tier.run("cut", folder)
     case = load(folder / "case.json")
     rows, points = [], []
-    for density in (0.25, 1, 3, 8):
+    for density in (0.15, 1, 3, 12):
         case["mesh"] = {**case.get("mesh", {}), "density": density}
         (folder / "case.json").write_text(json.dumps(case))
         tier.run("mesh", folder)

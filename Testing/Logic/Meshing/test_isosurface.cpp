@@ -7,7 +7,9 @@
 #include <vtkIdList.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
+#include <vtkStaticCellLocator.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace f2b
@@ -142,19 +144,43 @@ TEST(Isosurface, BodyThatIsCutByTheWallsIsClosedThere)
     EXPECT_NEAR(std::abs(bounds[a]), 15.0, 0.3);
 }
 
-TEST(Isosurface, DecimationKeepsItClosedAndInPlace)
+/// Farthest that a vertex of one surface lies from another.
+double farthest(vtkPolyData* from, vtkPolyData* to)
 {
-  SurfaceOptions options;
-  options.target_edge_mm = 3.0;
+  vtkNew<vtkStaticCellLocator> locator;
+  locator->SetDataSet(to);
+  locator->BuildLocator();
+  double most = 0;
+  for (vtkIdType p = 0; p < from->GetNumberOfPoints(); ++p)
+  {
+    double closest[3], squared = 0;
+    vtkIdType cell = 0;
+    int sub = 0;
+    locator->FindClosestPoint(from->GetPoint(p), closest, cell, sub, squared);
+    most = std::max(most, std::sqrt(squared));
+  }
+  return most;
+}
+
+TEST(Isosurface, DecimationKeepsItClosedAndWithinItsError)
+{
   auto bumpy = [](const Vec3& p)
   { return p.norm() - 20.0 - 1.5 * std::sin(0.7 * p.x()) * std::cos(0.9 * p.z()); };
   const ScalarGrid grid = grid_of(61, 1.0, bumpy);
   const auto fine = watertight_isosurface(grid);
-  const auto coarse = watertight_isosurface(grid, 0.0, options);
-  const SurfaceCheck check = check_surface(coarse);
-  expect_watertight(check);
-  EXPECT_LT(coarse->GetNumberOfPolys(), fine->GetNumberOfPolys() / 5);
-  EXPECT_NEAR(check.volume_mm3, check_surface(fine).volume_mm3, 0.01 * check.volume_mm3);
+  vtkIdType fewer = fine->GetNumberOfPolys();
+  for (const double error : {0.05, 0.2})
+  {
+    SurfaceOptions options;
+    options.decimation_error_mm = error;
+    const auto coarse = watertight_isosurface(grid, 0.0, options);
+    const SurfaceCheck check = check_surface(coarse);
+    expect_watertight(check);
+    EXPECT_LT(coarse->GetNumberOfPolys(), 3 * fewer / 4);
+    fewer = coarse->GetNumberOfPolys();
+    EXPECT_LT(farthest(coarse, fine), error);
+    EXPECT_LT(farthest(fine, coarse), error);
+  }
 }
 
 TEST(Isosurface, DecimationKeepsTheHoleOfAThinTorus)
@@ -162,7 +188,7 @@ TEST(Isosurface, DecimationKeepsTheHoleOfAThinTorus)
   auto torus = [](const Vec3& p)
   { return std::hypot(std::hypot(p.x(), p.y()) - 15.0, p.z()) - 2.0; };
   SurfaceOptions options;
-  options.target_edge_mm = 8.0;
+  options.decimation_error_mm = 0.5;
   const auto surface = watertight_isosurface(grid_of(41, 1.0, torus), 0.0, options);
   expect_watertight(check_surface(surface));
   // Euler's characteristic: points - edges + triangles = 0, with three edges to two triangles.
