@@ -94,6 +94,14 @@ TEST_F(PointsStage, HandleIsDraggedInThePlaneOfThePicture)
   EXPECT_NEAR(tool->GetDragged()[2], 5, 0.3);
 }
 
+TEST_F(PointsStage, OfTwoHandlesAtOnePlaceTheOneInFrontIsTaken)
+{
+  tool->SetOnSurface(false);
+  tool->GetPointsRepresentation()->SetPoints({{0, -40, 0}, {0, 40, 0}}, {"behind", "in front"});
+  stage.drag(at(0, 0), at(10, 0));
+  EXPECT_EQ(tool->GetHeld(), 1);
+}
+
 TEST_F(PointsStage, EscapeTakesADragBack)
 {
   tool->SetOnSurface(false);

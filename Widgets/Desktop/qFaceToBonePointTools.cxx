@@ -51,7 +51,7 @@ qFaceToBonePointTools::qFaceToBonePointTools(qFaceToBoneCase* work, qFaceToBoneT
   connect(m_landmarksPanel, &qFaceToBoneLandmarksPanel::placingChanged, this,
           &qFaceToBonePointTools::update);
   connect(m_case, &qFaceToBoneCase::landmarksChanged, this, &qFaceToBonePointTools::update);
-  connect(m_case, &qFaceToBoneCase::skinChanged, this, &qFaceToBonePointTools::update);
+  connect(m_case, &qFaceToBoneCase::skinChanged, this, &qFaceToBonePointTools::updateHandles);
   connect(m_case, &qFaceToBoneCase::loaded, this, &qFaceToBonePointTools::update);
   connect(m_sculptPanel, &qFaceToBoneSculptPanel::handlesShown, this,
           &qFaceToBonePointTools::update);
@@ -103,7 +103,16 @@ void qFaceToBonePointTools::showHandles(bool on)
 
 void qFaceToBonePointTools::update()
 {
-  if (m_landmarks->GetWidgetState() == vtkFaceToBonePointsWidget::Start)
+  updateLandmarks();
+  updateHandles();
+}
+
+void qFaceToBonePointTools::updateLandmarks()
+{
+  const bool shown = m_showLandmarks && m_case->isOpen();
+  if (bool(m_landmarks->GetEnabled()) != shown)
+    m_landmarks->SetEnabled(shown);
+  if (shown && m_landmarks->GetWidgetState() == vtkFaceToBonePointsWidget::Start)
   {
     std::vector<std::array<double, 3>> points;
     std::vector<std::string> names;
@@ -117,21 +126,28 @@ void qFaceToBonePointTools::update()
       }
     m_landmarks->GetPointsRepresentation()->SetPoints(points, names);
     m_landmarks->SetWanted(m_landmarksPanel->isPlacing() ? int(points.size()) + 1 : 0);
-    m_landmarks->SetEnabled(m_showLandmarks && m_case->isOpen());
   }
+  m_view->renderSoon();
+}
+
+/// With every move of the brush.
+void qFaceToBonePointTools::updateHandles()
+{
+  const bool wanted = m_showHandles && m_sculptPanel->showsHandles() && m_case->sculpting();
+  if (!wanted && !m_handles->GetEnabled())
+    return;
   if (m_handles->GetWidgetState() == vtkFaceToBonePointsWidget::Start)
   {
-    const bool on = m_showHandles && m_sculptPanel->showsHandles() && m_case->sculpting();
     std::vector<std::array<double, 3>> points;
     std::vector<std::string> names;
-    for (const QString& name : on ? m_case->faceLandmarks() : QStringList())
+    for (const QString& name : wanted ? m_case->faceLandmarks() : QStringList())
     {
       points.push_back(m_case->landmarkOnFace(name));
       names.push_back(name.toStdString());
     }
     m_handles->GetPointsRepresentation()->SetPoints(points, names);
-    if (bool(m_handles->GetEnabled()) != on)
-      m_handles->SetEnabled(on);
+    if (bool(m_handles->GetEnabled()) != wanted)
+      m_handles->SetEnabled(wanted);
   }
   m_view->renderSoon();
 }

@@ -42,6 +42,8 @@ public:
 private:
   vtkSmartPointer<vtkFaceToBonePointsWidget> make();
   void update();
+  void updateLandmarks();
+  void updateHandles();
   void updateRulers();
   void landmarkPlaced(vtkObject*, unsigned long, void*);
   void landmarkMoved(vtkObject*, unsigned long, void*);

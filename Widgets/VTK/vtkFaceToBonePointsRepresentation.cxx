@@ -156,16 +156,16 @@ void vtkFaceToBonePointsRepresentation::Draw()
 
 int vtkFaceToBonePointsRepresentation::PointAt(double x, double y)
 {
-  constexpr double reach = 10; // pixels
+  constexpr double reach = 10, behind = 8; // pixels; of two at one place the one in front counts
   int found = None;
-  double nearest = reach;
+  double nearest = reach + behind;
   for (std::size_t k = 0; k < this->Points.size(); ++k)
   {
     const Point at = this->ToDisplay(this->Points[k]);
     const double away = std::hypot(at[0] - x, at[1] - y);
-    if (away < nearest)
+    if (away < reach && away + behind * at[2] < nearest)
     {
-      nearest = away;
+      nearest = away + behind * at[2];
       found = static_cast<int>(k);
     }
   }
@@ -188,15 +188,20 @@ auto vtkFaceToBonePointsRepresentation::SurfaceAt(double x, double y) -> std::op
 }
 
 /// Labels stand beside their points in the picture, wherever the camera is; one that would lie on
-/// another is left out, the highlighted point's last.
+/// another is left out: of those behind first, of the highlighted point last.
 void vtkFaceToBonePointsRepresentation::BuildRepresentation()
 {
   if (!this->Renderer)
     return;
   std::vector<std::size_t> order(this->Labels.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  if (this->Highlighted >= 0 && static_cast<std::size_t>(this->Highlighted) < order.size())
-    std::swap(order[0], order[static_cast<std::size_t>(this->Highlighted)]);
+  std::vector<double> depth;
+  for (const Point& place : this->LabelPlaces)
+    depth.push_back(this->ToDisplay(place)[2]);
+  if (this->Highlighted >= 0 && static_cast<std::size_t>(this->Highlighted) < depth.size())
+    depth[static_cast<std::size_t>(this->Highlighted)] = -1;
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return depth[a] < depth[b]; });
   const int* corner = this->Renderer->GetOrigin();
   std::vector<std::array<double, 4>> taken; // left, right, bottom, top
   for (const std::size_t k : order)
