@@ -188,8 +188,6 @@ void qFaceToBoneCase::load(bool meshIsNew)
     m_bone = nullptr;
     readCuts();
   }
-  else
-    m_cuts.keep();
   if (has("ct.nrrd"))
     m_ct = qFaceToBoneImageOf(f2b::read_scalar_grid(file("ct.nrrd")));
   if (has("skin.vtp"))
@@ -380,6 +378,8 @@ bool qFaceToBoneCase::start(Step step)
                       {
                         if (step <= Cuts) // they are the case's own now
                           QFile::remove(QDir(m_folder).filePath(unfinishedCutsFileName));
+                        if (step == Target) // which keeps the rules of now in the case
+                          m_cuts.keepRules();
                         load(step <= Cuts);
                       });
 }

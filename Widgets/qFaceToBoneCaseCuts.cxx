@@ -137,9 +137,12 @@ void qFaceToBoneCase::showSpared()
     if (!c.surface)
       continue;
     const qFaceToBoneObject* there = m_objects.find(key);
+    if (!there) // most of it lies inside bone, which is seen through from now on
+      for (const char* bone : {"bone", "uncut"})
+        m_objects.setOpacity(bone, 0.45);
     if (!there || there->surface != c.surface)
-      showSurface(key, c.name, c.surface, {245, 205, 20});
-    m_objects.setColour(key, c.near ? QColor(225, 25, 30) : QColor(245, 205, 20));
+      showSurface(key, c.name, c.surface, qFaceToBoneCuts::colourOfSpared(c.near));
+    m_objects.setColour(key, qFaceToBoneCuts::colourOfSpared(c.near));
     gone.erase(std::remove(gone.begin(), gone.end(), key), gone.end());
   }
   for (const QString& key : gone)

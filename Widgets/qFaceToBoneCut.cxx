@@ -7,6 +7,7 @@
 #include <QCryptographicHash>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 namespace
@@ -31,7 +32,7 @@ qFaceToBoneCutCurve placedCurve(const f2b::SweptCurve& saw)
 {
   qFaceToBoneCutCurve curve;
   curve.saw = saw;
-  curve.handles = saw.points;
+  curve.handles = curve.line = saw.points;
   return curve;
 }
 
@@ -52,13 +53,17 @@ qFaceToBoneCutCurve curveFrom(const json& settings)
       labelled.push_back(point.position);
   }
   curve.handles = labelled.size() > 1 ? labelled : all;
-  curve.saw.points =
-      curve.onBone ? f2b::resampled_curve(all, curve.saw.closed, false, spacingMm) : all;
+  if (curve.runsOn() && !all.empty())
+    curve.overrun = (curve.handles.front() - all.front()).norm();
+  if (curve.overrun > 0)
+    all = {all.begin() + 1, all.end() - 1};
+  curve.line = curve.onBone ? f2b::resampled_curve(all, curve.saw.closed, false, spacingMm) : all;
   curve.turned = settings.contains("direction_ras");
   if (curve.turned)
     curve.saw.direction = pointFrom(settings.at("direction_ras")).normalized();
   curve.saw.depth_mm = settings.value("depth_mm", 20.0);
   curve.saw.lead_mm = settings.value("lead_mm", 5.0);
+  curve.settle();
   return curve;
 }
 
@@ -76,10 +81,11 @@ f2b::PointMarkup markupOf(const qFaceToBoneCutCurve& curve)
   for (const f2b::Vec3& p : curve.saw.points)
   {
     const bool handle = isHandle(p);
+    const bool end = &p == &curve.saw.points.front() || &p == &curve.saw.points.back();
     double nearest = handle ? apartMm : 0.5 * apartMm;
     if (!handle && !markup.points.empty())
       nearest = (p - markup.points.back().position).norm();
-    if (handle || nearest >= apartMm)
+    if (handle || end || nearest >= apartMm)
       markup.points.push_back({handle ? "P" + std::to_string(markup.points.size() + 1) : "", p});
   }
   return markup;
@@ -97,22 +103,34 @@ std::string drawnFile(const std::string& folder, const std::string& name, const 
   return (std::filesystem::u8path(folder) / file).string();
 }
 
+/// To a nanometre: what is written and read again may differ in the last digit.
+double rounded(double value)
+{
+  return 1e-6 * std::round(1e6 * value);
+}
+
+json keyOf(const f2b::Vec3& p)
+{
+  return {rounded(p.x()), rounded(p.y()), rounded(p.z())};
+}
+
 json keyOf(const f2b::BoundedPlane& p)
 {
-  return {p.name, toJson(p.center), toJson(p.u), toJson(p.v), p.half_u, p.half_v};
+  return {p.name, keyOf(p.center), keyOf(p.u), keyOf(p.v), rounded(p.half_u), rounded(p.half_v)};
 }
 
 json keyOf(const qFaceToBoneCutCurve& curve)
 {
   json points = json::array();
   for (const f2b::Vec3& p : curve.handles)
-    points.push_back(toJson(p));
+    points.push_back(keyOf(p));
   return {points,
           curve.saw.closed,
           curve.onBone,
-          curve.saw.depth_mm,
-          curve.saw.lead_mm,
-          curve.turned ? toJson(curve.saw.direction) : json()};
+          rounded(curve.overrun),
+          rounded(curve.saw.depth_mm),
+          rounded(curve.saw.lead_mm),
+          curve.turned ? keyOf(curve.saw.direction) : json()};
 }
 
 json writtenCurve(const qFaceToBoneCutCurve& curve, const std::string& fragment,
@@ -130,6 +148,24 @@ json writtenCurve(const qFaceToBoneCutCurve& curve, const std::string& fragment,
 }
 
 } // namespace
+
+void qFaceToBoneCutCurve::settle()
+{
+  constexpr double basis = 4; // by so much of the line its direction at the end is told [mm]
+  saw.points = line;
+  if (!runsOn() || line.size() < 2 || !(overrun > 0))
+    return;
+  const auto beyond = [&](const f2b::Vec3& end, auto next, auto last)
+  {
+    while (next + 1 != last && (*next - end).norm() < basis)
+      ++next;
+    f2b::Vec3 along = end - *next;
+    along -= saw.direction.dot(along) * saw.direction; // straight on as seen along the saw
+    return along.norm() > 1e-6 ? f2b::Vec3(end + overrun * along.normalized()) : end;
+  };
+  saw.points.insert(saw.points.begin(), beyond(line.front(), line.begin() + 1, line.end()));
+  saw.points.push_back(beyond(line.back(), line.rbegin() + 1, line.rend()));
+}
 
 f2b::Osteotomy qFaceToBoneCut::osteotomy() const
 {
@@ -217,7 +253,7 @@ json qFaceToBoneWriteCut(const qFaceToBoneCut& cut, const std::string& folder)
 json qFaceToBoneKeyOf(const qFaceToBoneCut& cut)
 {
   json key = {cut.fragment, cut.templateName, cut.kerf, cut.drawn,
-              cut.pointPlaced ? toJson(cut.point) : json()};
+              cut.pointPlaced ? keyOf(cut.point) : json()};
   for (const f2b::BoundedPlane& plane : cut.planes)
     key.push_back(keyOf(plane));
   for (const qFaceToBoneCutCurve& curve : cut.curves)

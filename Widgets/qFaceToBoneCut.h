@@ -10,10 +10,18 @@
 /// A line that is sawn along, and the points that it is held by.
 struct qFaceToBoneCutCurve
 {
-  f2b::SweptCurve saw;            ///< its points run along the whole line
-  std::vector<f2b::Vec3> handles; ///< of a free line, all of the saw's points
-  bool onBone = false;            ///< else free: straight from handle to handle
+  std::vector<f2b::Vec3> handles;
+  std::vector<f2b::Vec3> line; ///< through them: on the bone, or straight from one to the next
+  bool onBone = false;         ///< else free: it has no points but its handles
   bool turned = true; ///< the direction is stated; else it is across the bone, as the cut finds it
+  /// How far an open line on bone is sawn straight on past its ends [mm]: the bone's border curves
+  /// away, and a cut that stops at it leaves a bridge.
+  double overrun = 0;
+  f2b::SweptCurve saw; ///< its points follow from the rest
+
+  bool runsOn() const { return onBone && !saw.closed; }
+  /// Gives the saw its points; to be called after changes of anything else.
+  void settle();
 };
 
 /// One osteotomy.

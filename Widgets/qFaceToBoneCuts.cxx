@@ -152,10 +152,10 @@ bool qFaceToBoneCuts::isChanged() const
          spared() != qFaceToBoneWriteSpared(m_loaded->spared);
 }
 
-void qFaceToBoneCuts::keep()
+void qFaceToBoneCuts::keepRules()
 {
-  if (!isMoved())
-    *m_loaded = *m_now;
+  for (qFaceToBoneCut& cut : m_loaded->cuts)
+    cut.movement = movementOf(cut.fragment);
 }
 
 void qFaceToBoneCuts::setCurrent(int cut)

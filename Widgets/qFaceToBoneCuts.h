@@ -50,6 +50,7 @@ public:
   static QString titleOf(const QString& templateName);
   /// One colour for the n-th cut and its fragment.
   static QColor colour(int cut);
+  static QColor colourOfSpared(bool near);
 
   /// Takes a case's osteotomies and protected structures; \param unfinished  those that were being
   /// worked on, or null. Undo begins anew.
@@ -58,8 +59,8 @@ public:
   void clear();
   /// Other landmarks: cuts that are as their templates put them go where these say.
   void setLandmarks(const std::string& file);
-  /// The case has taken over rules and what is to be spared.
-  void keep();
+  /// The case has taken over the rules.
+  void keepRules();
   /// What the case file says of them; drawn cuts are written to files in a folder. Throws Error
   /// where a cut has nothing to cut along.
   nlohmann::json osteotomies(const std::string& folder) const;
@@ -86,7 +87,8 @@ public:
   bool removePart(int cut, int part);
   bool rename(int cut, const QString& fragment);
   void setKerf(int cut, double mm);
-  void setDepth(int cut, double mm); ///< of all its curves
+  void setDepth(int cut, double mm);   ///< of all its curves
+  void setOverrun(int cut, double mm); ///< of all its open lines on bone
   void setPlane(int cut, int plane, const f2b::BoundedPlane& placed);
   void setCurve(int cut, int curve, const qFaceToBoneCutCurve& drawn);
   void setPoint(int cut, const Point& free);

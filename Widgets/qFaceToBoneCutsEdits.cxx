@@ -169,6 +169,25 @@ void qFaceToBoneCuts::setDepth(int index, double mm)
   told();
 }
 
+void qFaceToBoneCuts::setOverrun(int index, double mm)
+{
+  if (!has(index))
+    return;
+  const auto& there = all()[static_cast<std::size_t>(index)].curves;
+  if (std::none_of(there.begin(), there.end(),
+                   [mm](const qFaceToBoneCutCurve& c) { return c.runsOn() && c.overrun != mm; }))
+    return;
+  qFaceToBoneCut* cut = editable(index);
+  for (qFaceToBoneCutCurve& curve : cut->curves)
+    if (curve.runsOn())
+    {
+      curve.overrun = mm;
+      curve.settle();
+    }
+  cut->setDrawn();
+  told();
+}
+
 void qFaceToBoneCuts::setPlane(int index, int plane, const f2b::BoundedPlane& placed)
 {
   if (!has(index) || plane < 0 ||

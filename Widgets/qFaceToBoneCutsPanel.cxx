@@ -2,11 +2,11 @@
 
 #include "qFaceToBoneCase.h"
 #include "qFaceToBoneCut.h"
+#include "qFaceToBoneSparedPanel.h"
 #include "qFaceToBoneToolTip.h"
 
 #include <QCheckBox>
 #include <QDoubleSpinBox>
-#include <QFileDialog>
 #include <QFormLayout>
 #include <QGroupBox>
 #include <QHBoxLayout>
@@ -62,12 +62,11 @@ QString wordsOf(const qFaceToBoneCut& cut)
 
 qFaceToBoneCutsPanel::qFaceToBoneCutsPanel(qFaceToBoneCase* work, QWidget* parent)
     : QWidget(parent), m_case(work), m_cuts(makeTree({tr("Piece"), tr("Cut")}, "cuts", 118)),
-      m_spared(makeTree({tr("Structure"), tr("Nearest cut")}, "spared", 84)),
       m_add(makeButton(tr("Add"), "addCut")), m_remove(makeButton(tr("Remove"), "removeCut")),
       m_anew(makeButton(tr("Reset"), "resetCut")), m_undo(makeButton(tr("Undo"), "undoCut")),
       m_redo(makeButton(tr("Redo"), "redoCut")),
       m_tools(new QCheckBox(tr("Show and drag the cuts"))), m_kerf(new QDoubleSpinBox),
-      m_depth(new QDoubleSpinBox), m_density(new QDoubleSpinBox),
+      m_depth(new QDoubleSpinBox), m_overrun(new QDoubleSpinBox), m_density(new QDoubleSpinBox),
       m_explode(new QSlider(Qt::Horizontal)), m_fragments(new QLabel)
 {
   m_cuts->setToolTip(qFaceToBoneToolTip(tr("The pieces that are cut free, and what by"),
@@ -85,7 +84,9 @@ qFaceToBoneCutsPanel::qFaceToBoneCutsPanel(qFaceToBoneCase* work, QWidget* paren
   form->addRow(m_drawing = makeDrawingBox());
   form->addRow(m_tools);
   makeNumbers(form);
-  form->addRow(makeSparedBox());
+  auto* spared = new qFaceToBoneSparedPanel(m_case);
+  connect(spared, &qFaceToBoneSparedPanel::refused, this, &qFaceToBoneCutsPanel::refused);
+  form->addRow(spared);
   form->addRow(m_fragments);
   connectParts();
   setDrawing(false);
@@ -175,10 +176,18 @@ void qFaceToBoneCutsPanel::makeNumbers(QFormLayout* form)
                                         tr("0.5 to 1 mm"), tr("kerf")));
   m_depth->setObjectName("depth");
   m_depth->setRange(1, 200);
+  m_depth->setDecimals(1);
   m_depth->setSuffix(" mm");
   m_depth->setToolTip(qFaceToBoneToolTip(tr("How deep the saw goes from this cut's lines"),
                                          tr("15 to 25 mm; a plane's depth is its size"),
                                          tr("blade depth")));
+  m_overrun->setObjectName("overrun");
+  m_overrun->setRange(0, 30);
+  m_overrun->setDecimals(1);
+  m_overrun->setSuffix(" mm");
+  m_overrun->setToolTip(qFaceToBoneToolTip(tr("How far the saw goes past the ends of open lines"),
+                                           tr("4 mm; 0 where a cut ends inside bone"),
+                                           tr("run-out of the blade")));
   m_density->setRange(0.05, 4);
   m_density->setSingleStep(0.05);
   m_density->setToolTip(qFaceToBoneToolTip(tr("How finely the tissue is meshed"),
@@ -188,55 +197,16 @@ void qFaceToBoneCutsPanel::makeNumbers(QFormLayout* form)
   m_explode->setRange(0, 40);
   m_explode->setToolTip(qFaceToBoneToolTip(tr("Draws the fragments apart, to see the cuts"),
                                            tr("15 mm"), tr("exploded view")));
-  for (QWidget* number : {m_kerf, m_depth, m_density})
+  for (QWidget* number : {m_kerf, m_depth, m_overrun, m_density})
     number->setMinimumWidth(60);
   auto* sizes = new QHBoxLayout;
   sizes->addWidget(m_kerf, 1);
   sizes->addWidget(new QLabel(tr("Depth")));
   sizes->addWidget(m_depth, 1);
   form->addRow(tr("Kerf"), sizes);
+  form->addRow(tr("Past its ends"), m_overrun);
   form->addRow(tr("Explode"), m_explode);
   form->addRow(tr("Mesh density"), m_density);
-}
-
-QWidget* qFaceToBoneCutsPanel::makeSparedBox()
-{
-  auto* box = new QGroupBox(tr("To be spared"));
-  auto* rows = new QVBoxLayout(box);
-  rows->setContentsMargins(4, 4, 4, 4);
-  auto* import = new QPushButton(tr("Import..."));
-  auto* remove = new QPushButton(tr("Remove"));
-  import->setObjectName("importSpared");
-  remove->setObjectName("removeSpared");
-  m_margin = new QDoubleSpinBox;
-  m_margin->setObjectName("margin");
-  m_margin->setRange(0, 50);
-  m_margin->setSuffix(" mm");
-  m_margin->setToolTip(qFaceToBoneToolTip(tr("A cut nearer than this is warned of"), tr("2 mm"),
-                                          tr("safety margin of the chosen structure")));
-  import->setToolTip(qFaceToBoneToolTip(tr("A nerve (Slicer curve) or tooth roots (a model)"),
-                                        tr("nerve_right.mrk.json, roots.vtp"),
-                                        tr("protected structure")));
-  m_spared->setToolTip(qFaceToBoneToolTip(tr("How near the cuts come to what they should spare"),
-                                          tr("Red: within the margin"),
-                                          tr("distance from the kerf's wall")));
-  rows->addWidget(m_spared);
-  auto* row = new QHBoxLayout;
-  row->addWidget(import);
-  row->addWidget(remove);
-  row->addWidget(m_margin);
-  rows->addLayout(row);
-  connect(import, &QPushButton::clicked, this, &qFaceToBoneCutsPanel::chooseSpared);
-  connect(remove, &QPushButton::clicked, this,
-          [this] {
-            m_case->cuts()->removeSpared(m_spared->indexOfTopLevelItem(m_spared->currentItem()));
-          });
-  connect(m_margin, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this,
-          [this](double mm) {
-            m_case->cuts()->setMargin(m_spared->indexOfTopLevelItem(m_spared->currentItem()), mm);
-          });
-  connect(m_spared, &QTreeWidget::currentItemChanged, this, [this] { updateNumbers(); });
-  return box;
 }
 
 void qFaceToBoneCutsPanel::connectParts()
@@ -263,6 +233,8 @@ void qFaceToBoneCutsPanel::connectParts()
           [cuts](double mm) { cuts->setKerf(cuts->current(), mm); });
   connect(m_depth, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this,
           [cuts](double mm) { cuts->setDepth(cuts->current(), mm); });
+  connect(m_overrun, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this,
+          [cuts](double mm) { cuts->setOverrun(cuts->current(), mm); });
   connect(m_density, QOverload<double>::of(&QDoubleSpinBox::valueChanged), m_case,
           &qFaceToBoneCase::setMeshDensity);
   connect(m_explode, &QSlider::valueChanged, this, &qFaceToBoneCutsPanel::explodeChanged);
@@ -313,28 +285,10 @@ void qFaceToBoneCutsPanel::removeChosen()
     cuts->remove(cuts->current());
 }
 
-void qFaceToBoneCutsPanel::chooseSpared()
-{
-  const QString file = QFileDialog::getOpenFileName(
-      this, tr("A structure to be spared"), m_case->folder(),
-      tr("Curves and surfaces (*.mrk.json *.vtp *.ply *.obj *.stl *.vtk)"));
-  if (!file.isEmpty())
-    importSpared(file);
-}
-
-bool qFaceToBoneCutsPanel::importSpared(const QString& file)
-{
-  if (m_case->cuts()->addSpared(file))
-    return true;
-  emit refused(m_case->cuts()->error());
-  return false;
-}
-
 void qFaceToBoneCutsPanel::update()
 {
   m_updating = true;
   updateCuts();
-  updateSpared();
   updateNumbers();
   m_updating = false;
   setEnabled(m_case->isOpen() && !m_case->task()->isRunning());
@@ -396,10 +350,11 @@ void qFaceToBoneCutsPanel::updateCuts()
 
 void qFaceToBoneCutsPanel::updateNumbers()
 {
-  const QSignalBlocker kerf(m_kerf), depth(m_depth), density(m_density), margin(m_margin);
+  const QSignalBlocker kerf(m_kerf), depth(m_depth), overrun(m_overrun), density(m_density);
   const int current = m_case->cuts()->current();
   m_kerf->setEnabled(current >= 0);
   m_depth->setEnabled(false);
+  m_overrun->setEnabled(false);
   m_anew->setEnabled(false);
   m_remove->setEnabled(current >= 0);
   if (current >= 0)
@@ -409,35 +364,13 @@ void qFaceToBoneCutsPanel::updateNumbers()
     m_depth->setEnabled(!cut.curves.empty());
     if (!cut.curves.empty())
       m_depth->setValue(cut.curves.front().saw.depth_mm);
+    for (const qFaceToBoneCutCurve& curve : cut.curves)
+      if (curve.runsOn())
+      {
+        m_overrun->setEnabled(true);
+        m_overrun->setValue(curve.overrun);
+      }
     m_anew->setEnabled(cut.drawn && !cut.templateName.empty());
   }
   m_density->setValue(m_case->meshDensity());
-  const auto all = m_case->cuts()->clearances();
-  const auto chosen =
-      static_cast<std::size_t>(m_spared->indexOfTopLevelItem(m_spared->currentItem()));
-  m_margin->setEnabled(chosen < all.size());
-  if (chosen < all.size())
-    m_margin->setValue(all[chosen].margin);
-}
-
-void qFaceToBoneCutsPanel::updateSpared()
-{
-  const auto all = m_case->cuts()->clearances();
-  while (m_spared->topLevelItemCount() > static_cast<int>(all.size()))
-    delete m_spared->topLevelItem(m_spared->topLevelItemCount() - 1);
-  for (int k = 0; k < static_cast<int>(all.size()); ++k)
-  {
-    const qFaceToBoneCuts::Clearance& c = all[static_cast<std::size_t>(k)];
-    QTreeWidgetItem* item = m_spared->topLevelItem(k);
-    if (!item)
-      item = new QTreeWidgetItem(m_spared);
-    item->setText(0, c.name);
-    item->setText(1, c.words);
-    item->setToolTip(1, c.words);
-    const QBrush colour(c.near ? QColor(190, 15, 20) : palette().color(QPalette::Text));
-    for (int column = 0; column < 2; ++column)
-      item->setForeground(column, colour);
-  }
-  if (!all.empty() && !m_spared->currentItem())
-    m_spared->setCurrentItem(m_spared->topLevelItem(0));
 }

@@ -13,7 +13,7 @@ class QTreeWidget;
 class QTreeWidgetItem;
 class qFaceToBoneCase;
 
-/// Where is the bone cut, how wide and how deep, what is spared, and how finely is the tissue meshed?
+/// Where is the bone cut, how wide and how deep, and how finely is the tissue meshed?
 class qFaceToBoneCutsPanel : public QWidget
 {
   Q_OBJECT
@@ -24,8 +24,6 @@ public:
   bool showsTools() const;
   /// A line is being drawn, or no more.
   void setDrawing(bool on);
-  /// Takes over a structure that the saw should spare.
-  bool importSpared(const QString& file);
 
 signals:
   void toolsShown(bool on);
@@ -41,23 +39,20 @@ signals:
 private:
   QWidget* makeCutButtons();
   QWidget* makeDrawingBox();
-  QWidget* makeSparedBox();
   void makeNumbers(QFormLayout* form);
   void connectParts();
   void update();
   void updateCuts();
   void updateNumbers();
-  void updateSpared();
   void removeChosen();
-  void chooseSpared();
   void renamed(QTreeWidgetItem* item);
 
   qFaceToBoneCase* m_case;
-  QTreeWidget *m_cuts, *m_spared;
+  QTreeWidget* m_cuts;
   QToolButton *m_add, *m_remove, *m_anew, *m_undo, *m_redo;
   QCheckBox* m_tools;
   QWidget* m_drawing = nullptr;
-  QDoubleSpinBox *m_kerf, *m_depth, *m_density, *m_margin = nullptr;
+  QDoubleSpinBox *m_kerf, *m_depth, *m_overrun, *m_density;
   QSlider* m_explode;
   QLabel* m_fragments;
   bool m_updating = false;

@@ -64,6 +64,11 @@ auto qFaceToBoneCuts::structure(const qFaceToBoneSpared& spared) const
   return known;
 }
 
+QColor qFaceToBoneCuts::colourOfSpared(bool near)
+{
+  return near ? QColor(225, 25, 30) : QColor(245, 205, 20);
+}
+
 bool qFaceToBoneCuts::addSpared(const QString& file)
 {
   qFaceToBoneSpared added;

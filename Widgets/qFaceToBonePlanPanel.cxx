@@ -125,7 +125,7 @@ void qFaceToBonePlanPanel::makeRules(FragmentBox& made)
   grid->setContentsMargins(0, 0, 0, 0);
   grid->setVerticalSpacing(2);
   grid->addWidget(new QLabel(tr("locked")), 0, 1);
-  grid->addWidget(new QLabel(tr("range")), 0, 2, 1, 3);
+  grid->addWidget(new QLabel(tr("range [mm, degrees]")), 0, 2, 1, 3);
   for (int k = 0; k < 6; ++k)
   {
     made.locks[k] = new QCheckBox;
@@ -144,7 +144,6 @@ void qFaceToBonePlanPanel::makeRules(FragmentBox& made)
       auto* end = new QDoubleSpinBox;
       end->setRange(-mostByHand[k / 3], mostByHand[k / 3]);
       end->setDecimals(1);
-      end->setSuffix(unitOf(k));
       end->setMinimumWidth(60);
       end->setKeyboardTracking(false);
       end->setValue(isMost ? 10 : -10);

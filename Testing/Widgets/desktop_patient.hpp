@@ -53,4 +53,10 @@ struct SegmentedPatient
   std::filesystem::path folder;
 };
 
+inline const SegmentedPatient& segmented_patient()
+{
+  static const SegmentedPatient patient;
+  return patient;
+}
+
 } // namespace f2b::testing

@@ -50,9 +50,11 @@ protected:
     qFaceToBoneCutCurve curve;
     curve.onBone = true;
     curve.handles = {{10, 60, 0}, {0, 64, 2}, {-10, 60, 0}};
-    curve.saw.points = resampled_curve(curve.handles, false, false, 1.5);
+    curve.line = resampled_curve(curve.handles, false, false, 1.5);
     curve.saw.direction = Vec3(0, -1, 0.2).normalized();
     curve.saw.depth_mm = 17;
+    curve.overrun = 4;
+    curve.settle();
     return curve;
   }
 
@@ -158,7 +160,8 @@ TEST_F(Cuts, WhatIsWrittenIsReadBack)
   ASSERT_TRUE(cuts.addTemplate("zygoma-right")); // a free line and a plane
   qFaceToBoneCutCurve curve = cut(1).curves[0];
   curve.handles[1] += Vec3(2, 0, 1);
-  curve.saw.points = curve.handles;
+  curve.line = curve.handles;
+  curve.settle();
   cuts.setCurve(1, 0, curve);
   ASSERT_TRUE(cuts.addCurve(line(), {3, 55, -6}, false));
   const json document = written();
@@ -179,8 +182,28 @@ TEST_F(Cuts, WhatIsWrittenIsReadBack)
   EXPECT_LT((drawn.handles[1] - Vec3(0, 64, 2)).norm(), 1e-9);
   EXPECT_LT((drawn.saw.direction - line().saw.direction).norm(), 1e-9);
   EXPECT_EQ(drawn.saw.depth_mm, 17);
+  EXPECT_NEAR(drawn.overrun, 4, 1e-9);
+  EXPECT_LT((drawn.saw.points.front() - line().saw.points.front()).norm(), 0.3);
   EXPECT_LT((cut(2).point - Vec3(3, 55, -6)).norm(), 1e-9);
   EXPECT_FALSE(cuts.isMoved());
+  load(document, written()); // once more through files
+  EXPECT_FALSE(cuts.isMoved());
+  EXPECT_FALSE(cuts.isChanged());
+}
+
+TEST_F(Cuts, OpenLinesRunOnPastTheirEndsAcrossTheSaw)
+{
+  ASSERT_TRUE(cuts.addCurve(line(), {3, 55, -6}, false));
+  const SweptCurve& saw = cut(1).curves[0].saw;
+  const Vec3 past = saw.points.front() - line().line.front();
+  EXPECT_NEAR(past.norm(), 4, 1e-9);
+  EXPECT_NEAR(past.dot(saw.direction), 0, 1e-9);
+  EXPECT_GT(past.x(), 2); // the way it comes from
+  cuts.setOverrun(1, 9);
+  EXPECT_NEAR((saw.points.back() - line().line.back()).norm(), 9, 1e-9);
+  cuts.setOverrun(1, 0);
+  EXPECT_EQ(cut(1).curves[0].saw.points, cut(1).curves[0].line);
+  EXPECT_NO_THROW(require_swept(cut(1).curves[0].saw, 1));
 }
 
 TEST_F(Cuts, UnfinishedOnesAreThereAgainAndCountAsMoved)

@@ -32,7 +32,6 @@ namespace
 {
 
 using testing::coarse_patient;
-using testing::SegmentedPatient;
 using testing::wait_until;
 
 class MainWindow : public testing::DesktopStage
@@ -41,7 +40,7 @@ protected:
   /// Opens a copy of the patient whose skin and bone have been found.
   void open_segmented()
   {
-    static const SegmentedPatient patient;
+    const testing::SegmentedPatient& patient = testing::segmented_patient();
     std::filesystem::copy(patient.folder, folder / "segmented",
                           std::filesystem::copy_options::recursive);
     ASSERT_TRUE(window->open(QString::fromStdString((folder / "segmented").string())))
@@ -292,6 +291,22 @@ TEST_F(MainWindow, BareCtIsShownAtOnceAndAsksForLandmarks)
   EXPECT_TRUE(state(qFaceToBoneCase::Cuts).done);
 }
 
+TEST_F(MainWindow, DicomFolderIsShownAtOnce)
+{
+  const char* data = std::getenv("FACETOBONE_DATA");
+  const auto dicom = std::filesystem::path(data ? data : "") / "phantom_imagex/dicom";
+  if (!data || !std::filesystem::exists(dicom))
+    GTEST_SKIP() << "no phantom_imagex: set FACETOBONE_DATA";
+  std::filesystem::create_directory_symlink(dicom, folder / "phantom");
+  ASSERT_TRUE(window->open(QString::fromStdString((folder / "phantom").string())));
+  ASSERT_TRUE(wait_until([&] { return !work()->task()->isRunning(); }, 300));
+  EXPECT_EQ(complaint(), "");
+  EXPECT_TRUE(work()->ct());
+  ASSERT_TRUE(work()->objects()->find("raw/skin"));
+  EXPECT_GT(work()->objects()->find("raw/skin")->surface->GetNumberOfPoints(), 1000);
+  EXPECT_TRUE(state(qFaceToBoneCase::Surfaces).possible);
+}
+
 TEST_F(MainWindow, RulersAreKeptAndCanBeRemoved)
 {
   open_segmented();
@@ -459,6 +474,18 @@ TEST_F(MainWindow, SampleCaseFromCtToReport)
   EXPECT_FALSE(work()->hasUnsavedChanges());
   ASSERT_EQ(run(qFaceToBoneCase::Plan), "");
   EXPECT_TRUE(state(qFaceToBoneCase::Plan).done);
+  // the measures shown are those of the plan
+  const nlohmann::json told =
+      read_json(Path(work()->folder().toStdString()) / "plan.json").at("cephalometry");
+  const auto shown = work()->measures();
+  ASSERT_EQ(shown.size(), told.at("measures").size());
+  for (std::size_t k = 0; k < shown.size(); ++k)
+  {
+    const nlohmann::json& m = told.at("measures").at(k);
+    EXPECT_EQ(shown[k].name.toStdString(), m.at("name"));
+    EXPECT_NEAR(shown[k].before, m.at("before").get<double>(), 1e-6) << m;
+    EXPECT_NEAR(shown[k].planned, m.at("predicted").get<double>(), 0.1) << m;
+  }
   window->steps()->setCurrentStep(qFaceToBoneCase::Plan);
   window->threeDView()->setPreset(qFaceToBoneThreeDView::ThreeQuarter);
   picture("5_plan");

@@ -39,6 +39,12 @@ protected:
     const auto p = look()->HandlePosition(handle);
     return stage.pixel(p[0], p[1], p[2]);
   }
+  /// On an edge, between its ball and a corner.
+  std::array<int, 2> outline()
+  {
+    const Vec3 p = now().center + 0.5 * now().half_u * now().u + now().half_v * now().v;
+    return stage.pixel(p.x(), p.y(), p.z());
+  }
   std::array<int, 2> shifted(std::array<int, 2> p, int x, int y) { return {p[0] + x, p[1] + y}; }
   void expect_orthonormal()
   {
@@ -60,8 +66,9 @@ TEST_F(PlaneStage, FindsTheHandleUnderTheCursor)
     const auto p = at(handle);
     EXPECT_EQ(look()->HandleAt(p[0] + 2, p[1] - 2), handle);
   }
-  const auto between = shifted(at(Look::Centre), 40, 4);
-  EXPECT_EQ(look()->HandleAt(between[0], between[1]), Look::Face);
+  EXPECT_EQ(look()->HandleAt(outline()[0], outline()[1] + 3), Look::Face);
+  const auto inside = shifted(at(Look::Centre), 50, 10);
+  EXPECT_EQ(look()->HandleAt(inside[0], inside[1]), Look::None);
   EXPECT_EQ(look()->HandleAt(3, 3), Look::None);
 }
 
@@ -88,7 +95,8 @@ TEST_F(PlaneStage, CentreMovesInThePicture)
 
 TEST_F(PlaneStage, FaceMovesAlongTheNormalOnly)
 {
-  const auto from = shifted(at(Look::Centre), 40, 4);
+  const auto from = outline();
+  ASSERT_EQ(look()->HandleAt(from[0], from[1]), Look::Face);
   stage.drag(from, shifted(from, 0, 30));
   const Vec3 by = now().center - plane.center;
   EXPECT_GT(by.norm(), 3);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "Widgets/random_events.hpp"
+
 #include "vtkFaceToBoneToolRepresentation.h"
 #include "vtkFaceToBoneToolWidget.h"
 
@@ -15,7 +17,6 @@
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 
-#include <cstdlib>
 #include <random>
 #include <string>
 
@@ -28,13 +29,6 @@ inline OffscreenDisplay& shared_display()
 {
   static OffscreenDisplay display;
   return display;
-}
-
-/// How many random events a tool is tried with; FACETOBONE_RANDOM_EVENTS sets another number.
-inline int random_event_count()
-{
-  const char* wanted = std::getenv("FACETOBONE_RANDOM_EVENTS");
-  return wanted ? std::atoi(wanted) : 1500;
 }
 
 class ToolStage

@@ -19,7 +19,10 @@ qFaceToBoneBoneTools::qFaceToBoneBoneTools(qFaceToBoneCase* work, qFaceToBoneThr
 qFaceToBoneBoneTools::~qFaceToBoneBoneTools()
 {
   for (const auto& tool : m_gizmos)
+  {
+    tool->RemoveAllObservers(); // one that is held is not let go any more
     tool->SetInteractor(nullptr);
+  }
 }
 
 void qFaceToBoneBoneTools::showGizmos(bool on)

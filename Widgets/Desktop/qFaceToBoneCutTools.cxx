@@ -7,6 +7,7 @@
 #include "vtkFaceToBonePlaneWidget.h"
 #include "vtkFaceToBoneSawWidget.h"
 
+#include <QScopedValueRollback>
 #include <QTimer>
 
 #include <vtkCommand.h>
@@ -18,6 +19,9 @@ namespace
 {
 
 using Point = std::array<double, 3>;
+
+/// Of a line that has just been drawn.
+constexpr double overrunMm = 4;
 
 Point toPoint(const f2b::Vec3& p)
 {
@@ -50,8 +54,9 @@ Point colourOf(int cut)
 void readLine(vtkFaceToBoneCurveRepresentation* look, qFaceToBoneCutCurve& curve)
 {
   curve.handles = toVectors(look->GetControlPoints());
-  curve.saw.points = toVectors(look->GetCurve());
   curve.saw.closed = look->GetClosed();
+  curve.line = toVectors(look->GetCurve());
+  curve.settle();
 }
 
 void readSaw(vtkFaceToBoneSawRepresentation* look, qFaceToBoneCutCurve& curve)
@@ -59,6 +64,7 @@ void readSaw(vtkFaceToBoneSawRepresentation* look, qFaceToBoneCutCurve& curve)
   curve.saw.direction = f2b::Vec3(look->GetDirection().data());
   curve.saw.depth_mm = look->GetDepth();
   curve.turned = true;
+  curve.settle();
 }
 
 void showSaw(vtkFaceToBoneSawRepresentation* look, const qFaceToBoneCutCurve& curve)
@@ -121,9 +127,9 @@ void qFaceToBoneCutTools::drop()
         tool->SetInteractor(nullptr);
       }
   m_parts.clear();
-  if (m_dragging > 0)
+  if (m_dragging)
     m_case->cuts()->endDrag();
-  m_dragging = 0;
+  m_dragging = false;
 }
 
 /// Which tools there have to be.
@@ -142,26 +148,19 @@ auto qFaceToBoneCutTools::layout() const -> Layout
   return all;
 }
 
-/// The tool that is held leads and is left alone; tools come and go when no tool is at work.
+/// The tool that is held leads and is left alone. No tool goes while it is speaking.
 void qFaceToBoneCutTools::update()
 {
-  if (layout() != m_layout)
+  if (layout() == m_layout)
   {
-    if (m_dragging == 0)
-      return rebuild();
-    if (!m_rebuildPending)
-      QTimer::singleShot(0, this,
-                         [this]
-                         {
-                           m_rebuildPending = false;
-                           update();
-                         });
-    m_rebuildPending = true;
-    return;
+    for (Part& part : m_parts)
+      place(part);
+    return m_view->renderSoon();
   }
-  for (Part& part : m_parts)
-    place(part);
-  m_view->renderSoon();
+  if (m_speaking)
+    QTimer::singleShot(0, this, &qFaceToBoneCutTools::update);
+  else
+    rebuild();
 }
 
 bool qFaceToBoneCutTools::readBone()
@@ -196,13 +195,15 @@ void qFaceToBoneCutTools::rebuild()
   m_view->renderSoon();
 }
 
+/// Small things that are held before large ones that they may lie on.
 template <class Tool>
-vtkSmartPointer<Tool> qFaceToBoneCutTools::makeTool(bool current)
+vtkSmartPointer<Tool> qFaceToBoneCutTools::makeTool(bool current, float priority)
 {
   auto tool = vtkSmartPointer<Tool>::New();
   tool->SetInteractor(m_view->interactor());
   tool->SetDefaultRenderer(m_view->mainRenderer());
   tool->SetProcessEvents(current && !m_drawing);
+  tool->SetPriority(priority);
   tool->GetRepresentation();
   tool->AddObserver(vtkCommand::StartInteractionEvent, this, &qFaceToBoneCutTools::dragBegan);
   tool->AddObserver(vtkCommand::InteractionEvent, this, &qFaceToBoneCutTools::partMoved);
@@ -216,7 +217,7 @@ void qFaceToBoneCutTools::addPlane(int cut, int index)
   Part part;
   part.cut = cut;
   part.index = index;
-  part.plane = makeTool<vtkFaceToBonePlaneWidget>(current);
+  part.plane = makeTool<vtkFaceToBonePlaneWidget>(current, 0.5f);
   part.plane->GetPlaneRepresentation()->SetColour(colourOf(cut));
   part.plane->GetPlaneRepresentation()->SetHandlesShown(current);
   part.plane->SetEnabled(1);
@@ -231,7 +232,7 @@ void qFaceToBoneCutTools::addLine(int cut, int index)
   Part part;
   part.cut = cut;
   part.index = index;
-  part.line = makeTool<vtkFaceToBoneCurveWidget>(current);
+  part.line = makeTool<vtkFaceToBoneCurveWidget>(current, 0.65f);
   part.line->SetDrawing(false);
   vtkFaceToBoneCurveRepresentation* look = part.line->GetCurveRepresentation();
   look->SetColour(colourOf(cut));
@@ -239,7 +240,7 @@ void qFaceToBoneCutTools::addLine(int cut, int index)
   look->SetFree(!curve.onBone);
   if (curve.onBone && readBone())
     look->ShareSurface(*m_pen->GetCurveRepresentation());
-  part.saw = makeTool<vtkFaceToBoneSawWidget>(current);
+  part.saw = makeTool<vtkFaceToBoneSawWidget>(current, 0.6f);
   part.saw->GetSawRepresentation()->SetColour(colourOf(cut));
   part.saw->GetSawRepresentation()->SetHandlesShown(current);
   part.saw->SetEnabled(1);
@@ -252,7 +253,7 @@ void qFaceToBoneCutTools::addBall(int cut)
 {
   Part part;
   part.cut = cut;
-  part.line = makeTool<vtkFaceToBoneCurveWidget>(true);
+  part.line = makeTool<vtkFaceToBoneCurveWidget>(true, 0.8f);
   part.line->SetDrawing(false);
   vtkFaceToBoneCurveRepresentation* look = part.line->GetCurveRepresentation();
   const QColor colour = qFaceToBoneCuts::colour(cut);
@@ -291,6 +292,7 @@ void qFaceToBoneCutTools::place(Part& part)
 
 void qFaceToBoneCutTools::partMoved(vtkObject* tool, unsigned long, void*)
 {
+  const QScopedValueRollback<bool> speaking(m_speaking, true);
   qFaceToBoneCuts* cuts = m_case->cuts();
   for (const Part& part : m_parts)
   {
@@ -316,13 +318,13 @@ void qFaceToBoneCutTools::partMoved(vtkObject* tool, unsigned long, void*)
 
 void qFaceToBoneCutTools::dragBegan(vtkObject*, unsigned long, void*)
 {
-  ++m_dragging;
+  m_dragging = true;
   m_case->cuts()->beginDrag();
 }
 
 void qFaceToBoneCutTools::dragEnded(vtkObject*, unsigned long, void*)
 {
-  m_dragging = 0;
+  m_dragging = false;
   m_case->cuts()->endDrag();
   emit told("");
 }
@@ -389,8 +391,9 @@ bool qFaceToBoneCutTools::finishDrawing()
     return false;
   qFaceToBoneCutCurve curve;
   curve.onBone = true;
-  readLine(look, curve);
+  curve.overrun = overrunMm;
   readSaw(m_penSaw->GetSawRepresentation(), curve);
+  readLine(look, curve);
   f2b::Vec3 middle = f2b::Vec3::Zero();
   for (const f2b::Vec3& p : curve.saw.points)
     middle += p / static_cast<double>(curve.saw.points.size());

@@ -59,7 +59,7 @@ private:
   void addLine(int cut, int index);
   void addBall(int cut);
   template <class Tool>
-  vtkSmartPointer<Tool> makeTool(bool current);
+  vtkSmartPointer<Tool> makeTool(bool current, float priority);
   void drop();
   void partMoved(vtkObject* tool, unsigned long, void*);
   void dragBegan(vtkObject*, unsigned long, void*);
@@ -76,8 +76,8 @@ private:
   vtkSmartPointer<vtkFaceToBoneCurveWidget> m_pen;
   vtkSmartPointer<vtkFaceToBoneSawWidget> m_penSaw;
   vtkObject* m_bone = nullptr; ///< that the pen knows
-  bool m_shown = false, m_drawing = false, m_ofCurrent = false, m_rebuildPending = false;
-  int m_dragging = 0;
+  bool m_shown = false, m_drawing = false, m_ofCurrent = false;
+  bool m_dragging = false, m_speaking = false;
 };
 
 #endif

@@ -1,6 +1,8 @@
 #include "qFaceToBoneMainWindow.h"
 
+#include "qFaceToBoneBoneTools.h"
 #include "qFaceToBoneCase.h"
+#include "qFaceToBoneCutTools.h"
 #include "qFaceToBoneCutsPanel.h"
 #include "qFaceToBoneLandmarksPanel.h"
 #include "qFaceToBoneMeasuresPanel.h"
@@ -81,6 +83,9 @@ qFaceToBoneMainWindow::qFaceToBoneMainWindow(QWidget* parent)
 
 qFaceToBoneMainWindow::~qFaceToBoneMainWindow()
 {
+  // they speak of the case while they let go of what is held, and it would be gone first
+  delete m_cutTools;
+  delete m_boneTools;
   m_tool->SetInteractor(nullptr);
 }
 

@@ -390,6 +390,13 @@ void vtkFaceToBoneCurveRepresentation::ShowName(double x, double y)
   this->SetReadout(this->Highlighted == None ? "" : this->Name, x, y);
 }
 
+void vtkFaceToBoneCurveRepresentation::ShowRefusal(double x, double y)
+{
+  this->SetReadout(this->Closed ? "the line is closed: Return takes it"
+                                : "another bone: no line leads there from the last point",
+                   x, y);
+}
+
 auto vtkFaceToBoneCurveRepresentation::GetInwards() const -> Point
 {
   f2b::Vec3 sum = f2b::Vec3::Zero();

@@ -80,6 +80,8 @@ public:
   void ShowLength(double x, double y);
   /// The name at the cursor, where a point is highlighted.
   void ShowName(double x, double y);
+  /// At the cursor: why no point is added there.
+  void ShowRefusal(double x, double y);
   /// Into the bone, as a mean over the control points; unit.
   Point GetInwards() const;
   Point NearestOnBone(const Point& point) const;

@@ -89,8 +89,14 @@ bool vtkFaceToBoneCurveWidget::PressBesidePoints()
     return this->Begin(Shifting);
   }
   const auto place = this->Drawing ? look->PlaceAt(this->GetX(), this->GetY()) : std::nullopt;
-  if (!place || !look->AddControlPoint(*place))
+  if (!place)
     return false;
+  if (!look->AddControlPoint(*place))
+  {
+    look->ShowRefusal(this->GetX(), this->GetY());
+    this->Render();
+    return false;
+  }
   this->Held = look->GetNumberOfControlPoints() - 1;
   return this->Begin(this->IsShiftDown() ? Freehand : Dragging);
 }

@@ -172,9 +172,12 @@ auto vtkFaceToBonePlaneRepresentation::HandleAt(double x, double y) -> Handle
   }
   if (found != None)
     return found;
-  const f2b::BoundedPlane& p = *this->Plane;
-  const auto hit = f2b::on_plane(this->LineAt(x, y), p.center, p.normal());
-  return hit && p.faces(*hit, 0) ? Face : None;
+  const auto isNear = [&](const Point& a, const Point& b)
+  { return PixelsFromPiece(this->ToDisplay(a), this->ToDisplay(b), x, y) < 0.7 * nearPixels; };
+  for (int i = 0; i < 4; ++i)
+    if (isNear(ToPoint(Corner(*this->Plane, i, 0)), ToPoint(Corner(*this->Plane, (i + 1) % 4, 0))))
+      return Face;
+  return isNear(this->HandlePosition(Centre), this->HandlePosition(Normal)) ? Face : None;
 }
 
 bool vtkFaceToBonePlaneRepresentation::HighlightOnly(Handle handle)

@@ -15,7 +15,8 @@ struct LineOfSight;
 /// How does a cut look that can be taken hold of?
 ///
 /// A translucent rectangle, as thick as the saw's kerf, with an outline; a ball in the middle, one at
-/// the middle of each edge, and an arrow along the normal.
+/// the middle of each edge, and an arrow along the normal. Between them it lets the mouse through: to
+/// the camera, and to cuts behind.
 class vtkFaceToBonePlaneRepresentation : public vtkFaceToBoneToolRepresentation
 {
 public:
@@ -28,7 +29,7 @@ public:
   enum Handle
   {
     None,
-    Face,   ///< shifts along the normal
+    Face,   ///< outline or arrow's line: shifts along the normal
     Centre, ///< shifts in the picture's plane
     Normal, ///< tilts
     EdgeU0, ///< the edge at -u: its distance from the other one

@@ -1,6 +1,7 @@
 #include "vtkFaceToBoneToolRepresentation.h"
 
 #include <vtkActor.h>
+#include <vtkCamera.h>
 #include <vtkCellArray.h>
 #include <vtkMapper.h>
 #include <vtkMath.h>
@@ -16,6 +17,13 @@
 
 #include <algorithm>
 #include <cmath>
+
+namespace
+{
+
+constexpr double InFrontMm = 1000;
+
+} // namespace
 
 vtkFaceToBoneToolRepresentation::vtkFaceToBoneToolRepresentation()
     : Readout(vtkSmartPointer<vtkTextActor>::New())
@@ -121,6 +129,9 @@ auto vtkFaceToBoneToolRepresentation::GetRay(double x, double y) -> Ray
   Ray ray{ends[0], {}};
   vtkMath::Subtract(ends[1].data(), ends[0].data(), ray.Direction.data());
   vtkMath::Normalize(ray.Direction.data());
+  if (this->Renderer->GetActiveCamera()->GetParallelProjection())
+    for (std::size_t i = 0; i < 3; ++i) // tools may lie in front of all that is drawn
+      ray.Origin[i] -= InFrontMm * ray.Direction[i];
   return ray;
 }
 
