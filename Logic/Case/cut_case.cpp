@@ -112,7 +112,7 @@ CutSurfaces sawn_surfaces(const TriangleMesh& bone, BonePartition& partition)
 {
   const BonePartition drawn = partition;
   std::optional<Error> refusal;
-  for (const double room_mm : {4.0, 8.0, 16.0})
+  for (const double room_mm : {4.0, 8.0, 16.0, 32.0})
   {
     partition.osteotomies = trimmed_cuts(drawn, room_mm);
     try
@@ -168,6 +168,7 @@ void cut_case(CaseSession& session)
   {
     fragments.push_back(
         write_fragment(change, osteotomies[f], cut.parts[f + 1], cut.volume_mm3[f + 1]));
+    fragments.back()["template"] = session.settings.osteotomies[f].template_name;
     planes.insert(planes.end(), osteotomies[f].planes.begin(), osteotomies[f].planes.end());
     for (std::size_t p = 0; p < osteotomies[f].planes.size(); ++p) // Slicer edits one markup a file
       write_planes(change.file(cut_plane_file(osteotomies[f].fragment, p)),

@@ -3,6 +3,7 @@
 #include "Core/error.hpp"
 #include "Core/geometry/osteotomy.hpp"
 
+#include <string>
 #include <variant>
 
 /// Which closed surfaces have the pieces of the sawn bone?
@@ -22,7 +23,8 @@ struct CutSurfaces
 struct BoneBridge
 {
   std::size_t part = 0, other = 0; ///< 0: uncut bone, 1 + index: a fragment
-  Vec3 place = Vec3::Zero();       ///< on the smaller share of the piece that both are [mm, RAS]
+  Vec3 place = Vec3::Zero();       ///< where it passes a cut beside its edge [mm, RAS]
+  std::string cut;                 ///< the plane, or facet of a curve
 };
 
 /// "a bridge of bone is left between ...", with its place and a remedy, as bad input.

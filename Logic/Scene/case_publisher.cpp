@@ -136,10 +136,15 @@ void CasePublisher::fragment(std::size_t f, const json& told)
   const auto name = told.at("name").get<std::string>();
   m_fragments.push_back(name);
   const int n = static_cast<int>(f);
-  // only the cut knows what a template calls its fragment
-  if (n < osteotomy->GetNumberOfFragments() &&
-      osteotomy->GetNthFragmentName(n) == osteotomy->GetNthFragmentTemplate(n))
-    osteotomy->SetNthFragmentName(n, name);
+  // Only the cut knows what a template calls its fragment; but case.json may name another template
+  // since.
+  if (n < osteotomy->GetNumberOfFragments())
+  {
+    const std::string template_name = osteotomy->GetNthFragmentTemplate(n);
+    if (osteotomy->GetNthFragmentName(n) == template_name &&
+        told.value("template", template_name) == template_name)
+      osteotomy->SetNthFragmentName(n, name);
+  }
   m_published.show_model(osteotomy, Osteotomy::RestFragmentRole + name,
                          "fragment_" + file_part(name) + ".vtp", name, fragment_look(f));
   const auto planes = told.at("planes").get<std::size_t>();

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdio>
 #include <limits>
 #include <queue>
@@ -71,6 +72,7 @@ private:
   void spread();
   void collect_cuts();
   void require_freed() const;
+  std::ptrdiff_t core_near(const Vec3& place, int component) const;
   std::string way_round(std::size_t cut) const;
 
   const ScalarGrid& m_bone;
@@ -246,28 +248,46 @@ void Flood::collect_cuts()
   }
 }
 
-/// In words: where the bone that leads from one side of a cut to its other side is narrowest, on the
-/// way where it is widest; so where a cut is missing or too small. Empty where none leads there.
+/// A voxel of a connected bone that lies deep in it, near a place; -1 where there is none.
+std::ptrdiff_t Flood::core_near(const Vec3& place, int component) const
+{
+  constexpr double near_mm = 12;
+  std::ptrdiff_t deepest = -1;
+  for (std::size_t voxel = 0; voxel < m_component.size(); ++voxel)
+    if (m_component[voxel] == component && (position(voxel) - place).norm() < near_mm &&
+        (deepest < 0 || m_bone.values[voxel] < m_bone.values[static_cast<std::size_t>(deepest)]))
+      deepest = static_cast<std::ptrdiff_t>(voxel);
+  return deepest;
+}
+
+/// In words: where a cut is missing or too small. On the way through bone from the fragment to both
+/// sides of a cut that is widest where it is narrowest, the narrowest place; of several the one that is
+/// next to the fragment. Empty where no way leads there.
 std::string Flood::way_round(std::size_t cut) const
 {
   const std::size_t nx = static_cast<std::size_t>(m_bone.size.x()),
                     step[3] = {1, nx, nx * static_cast<std::size_t>(m_bone.size.y())};
   const auto depth = [this](std::size_t voxel) { return -m_bone.values[voxel]; };
-  // from where the cut goes through the thickest bone
-  std::size_t from = 0, to = 0;
-  float deepest = 0;
+  // where the cut goes through the thickest bone that is the fragment's on both sides
+  std::size_t sides[2] = {0, 0};
+  float thickest = 0;
   for (const LatticeCuts::Passage& p : m_cuts.passages())
   {
     const std::size_t next = p.sample + step[p.axis];
-    if (p.cut == cut && std::min(depth(p.sample), depth(next)) > deepest &&
-        m_component[p.sample] == m_component[next])
+    if (p.cut == cut && std::min(depth(p.sample), depth(next)) > thickest &&
+        m_component[p.sample] == m_component[next] &&
+        m_label[p.sample] >= BonePartition::first_fragment)
     {
-      deepest = std::min(depth(p.sample), depth(next));
-      from = p.sample;
-      to = next;
+      thickest = std::min(depth(p.sample), depth(next));
+      sides[0] = p.sample;
+      sides[1] = next;
     }
   }
-  if (deepest == 0)
+  if (thickest == 0)
+    return "";
+  const Osteotomy& osteotomy = m_osteotomies[m_label[sides[0]] - BonePartition::first_fragment];
+  const std::ptrdiff_t start = core_near(osteotomy.fragment_point, m_component[sides[0]]);
+  if (start < 0)
     return "";
   struct Way
   {
@@ -278,14 +298,18 @@ std::string Flood::way_round(std::size_t cut) const
       return width != other.width ? width < other.width : voxel > other.voxel;
     }
   };
+  constexpr float as_wide = 0.97F; // what is no narrower than this share is told of once
   std::vector<char> reached(m_component.size(), 0);
   std::priority_queue<Way> open;
-  open.push({depth(from), from, from});
+  open.push({depth(static_cast<std::size_t>(start)), static_cast<std::size_t>(start),
+             static_cast<std::size_t>(start)});
   while (!open.empty())
   {
     const Way way = open.top();
     open.pop();
-    if (way.voxel == to)
+    if (std::exchange(reached[way.voxel], 1))
+      continue;
+    if (reached[sides[0]] && reached[sides[1]])
     {
       const Vec3 at = position(way.narrowest);
       char place[96];
@@ -294,16 +318,15 @@ std::string Flood::way_round(std::size_t cut) const
                     at.z());
       return place;
     }
-    if (std::exchange(reached[way.voxel], 1))
-      continue;
-    for_each_neighbor(way.voxel,
-                      [&](std::size_t next, bool through_cut)
-                      {
-                        if (through_cut || !is_bone(next) || reached[next])
-                          return;
-                        open.push(depth(next) < way.width ? Way{depth(next), next, next}
-                                                          : Way{way.width, next, way.narrowest});
-                      });
+    for_each_neighbor(
+        way.voxel,
+        [&](std::size_t next, bool through_cut)
+        {
+          if (through_cut || !is_bone(next) || reached[next])
+            return;
+          const bool narrower = depth(next) < as_wide * depth(way.narrowest);
+          open.push({std::min(depth(next), way.width), next, narrower ? next : way.narrowest});
+        });
   }
   return "";
 }

@@ -288,23 +288,52 @@ Osteotomy ramus(const Face& face, const std::string& side)
   const Vec3 up = face.right.cross(forward);
   const Vec3 outwards = face.outwards(side);
   osteotomy.fragment = side == "R" ? "ramus right" : "ramus left";
-  osteotomy.planes.push_back(behind_molars(face, side, bite_of(face, forward)));
+  const Bite bite = bite_of(face, forward);
+  osteotomy.planes.push_back(behind_molars(face, side, bite));
   osteotomy.planes.back().name = osteotomy.fragment + " front";
-  // over the condyle from behind to before, sawn from the side
-  constexpr double radius = 9;
-  const Vec3 middle = face.at("Co_" + side) - (radius - 1) * up;
+  // a last molar may meet its fellow behind that plane; the ramus beside it stays whole
+  const Vec3& molar = face.at("U6_" + side);
+  BoundedPlane occlusal;
+  occlusal.name = osteotomy.fragment + " occlusal";
+  occlusal.center = bite.front + (molar - bite.front).dot(outwards) * outwards +
+                    ((molar - bite.front).dot(bite.along) - 24) * bite.along;
+  occlusal.u = bite.along;
+  occlusal.v = outwards;
+  occlusal.half_u = 12;
+  occlusal.half_v = 9;
+  occlusal.may_miss = true;
+  osteotomy.planes.push_back(occlusal);
+  // A CT's voxels bridge the joint's space, above the condyle, behind it and at both its poles: over
+  // it from before to behind and down its back, sawn from the side, and down beside each pole. Co is
+  // behind the condyle's middle.
+  constexpr double radius = 9, outer = 9, inner = 12;
+  const Vec3 middle = face.at("Co_" + side) - (radius - 1) * up + 3 * forward;
   SweptCurve joint;
   joint.name = osteotomy.fragment + " joint";
-  for (int degrees = -20; degrees <= 200; degrees += 10)
+  const auto add = [&](double along, double above)
+  { joint.points.push_back(middle + along * forward + above * up + outer * outwards); };
+  for (int degrees = -20; degrees <= 180; degrees += 10)
   {
     const double a = degrees * 3.14159265358979323846 / 180;
-    joint.points.push_back(middle + radius * (std::cos(a) * forward + std::sin(a) * up) +
-                           10 * outwards);
+    add(radius * std::cos(a), radius * std::sin(a));
   }
+  for (const double below : {5, 10})
+    add(-radius, -below);
   joint.direction = -outwards;
-  joint.depth_mm = 30;
-  joint.lead_mm = 10;
+  joint.depth_mm = outer + inner + 1;
+  joint.lead_mm = 1;
   osteotomy.curves.push_back(joint);
+  for (const bool at_outer : {true, false})
+  {
+    BoundedPlane pole;
+    pole.name = osteotomy.fragment + (at_outer ? " joint outside" : " joint inside");
+    pole.center = middle + (at_outer ? outer : -inner) * outwards;
+    pole.u = forward;
+    pole.v = up;
+    pole.half_u = pole.half_v = radius + 1;
+    pole.may_miss = true;
+    osteotomy.planes.push_back(pole);
+  }
   osteotomy.fragment_point = face.at("Go_" + side) + 12 * up + 4 * forward - 3 * outwards;
   return osteotomy;
 }

@@ -33,7 +33,7 @@ std::vector<std::string> landmarks_of_template(const std::string& name);
 ///   and one between the tooth rows; frees the tooth-bearing mandible with the chin. Needs ANS,
 ///   PNS, Or_R, Or_L, U1, U6_R, U6_L, B, Me, Go_R, Go_L; uses L1 if there.
 /// - `bsso-right`, `bsso-left`: the segments behind those of `bsso`, with their condyles: the
-///   vertical plane and an arch over the condyle. Needs Co of its side as well.
+///   vertical plane, an arch over the condyle and planes at its poles. Needs Co of its side as well.
 /// \param fragment  name of the freed fragment
 /// Throws Error naming the template or the landmark that is not there.
 Osteotomy osteotomy_from_template(const std::string& name, const std::string& fragment,

@@ -94,6 +94,8 @@ TEST(CutSurfaces, BridgeThatTheLatticeDoesNotSeeIsTold)
   const BonePartition partition = cut_bone(bone, bone, {narrow});
   const auto bridge = std::get<BoneBridge>(cut_surfaces(block_surface(), partition));
   EXPECT_NE(bridge.part, bridge.other);
+  EXPECT_NEAR(bridge.place.x(), 5, 1e-6);
+  EXPECT_NEAR(std::max(std::abs(bridge.place.y()), std::abs(bridge.place.z())), 20, 0.3);
   test::expect_error([&] { throw bridge_error(bridge, partition); },
                      {"bridge of bone", "'end'", "enlarge the cut"});
 }

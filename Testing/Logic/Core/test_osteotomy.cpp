@@ -184,7 +184,7 @@ TEST(Osteotomy, CutsThatDoNotFreeAreRefused)
   Osteotomy cut = cut_at(5, 20);
   cut.planes[0].half_u = 10; // half of the width
   expect_error([&] { cut_bone(bone, bone, {cut}); },
-               {"'end'", "do not free", "100 %", "bone leads round it, narrowest near R 5,"});
+               {"'end'", "do not free", "100 %", "bone leads round it, narrowest near R 6, A -10,"});
 }
 
 TEST(Osteotomy, TwoOfOnePieceAreRefused)

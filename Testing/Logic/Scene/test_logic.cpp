@@ -343,11 +343,11 @@ TEST(LogicTest, CancelledStepsLeaveTheCaseAsItWas)
 TEST(LogicTest, FailuresAreASentenceOnTheNode)
 {
   SegmentedCase c;
-  c.plan->SetMeshDensity(9);
+  c.plan->SetMeshDensity(21);
   EXPECT_FALSE(c.world.logic->Cut(c.plan));
   EXPECT_EQ(c.plan->GetStatusCode(), 2);
   EXPECT_NE(c.plan->GetStatusText().find("density"), std::string::npos);
-  EXPECT_NE(c.plan->GetStatusText().find("8"), std::string::npos);
+  EXPECT_NE(c.plan->GetStatusText().find("20"), std::string::npos);
   c.plan->SetMeshDensity(0.05);
   EXPECT_TRUE(c.world.logic->Cut(c.plan)) << c.plan->GetStatusText();
   EXPECT_EQ(c.plan->GetStatusCode(), 0);
@@ -394,6 +394,29 @@ TEST(LogicTest, ACaseFileEditedByHandWins)
   Plan* plan = again.logic->OpenCase((c.folder / "case").string());
   ASSERT_NE(plan, nullptr);
   EXPECT_EQ(plan->GetMeshDensity(), 0.07);
+}
+
+TEST(LogicTest, AnotherTemplateInTheCaseFileDoesNotKeepTheOldOnesName)
+{
+  SegmentedCase c;
+  const std::filesystem::path folder = c.folder / "case";
+  const auto choose = [&](const char* template_name)
+  {
+    json settings = read_json(folder / "case.json");
+    settings["osteotomies"] = {{{"template", template_name}}};
+    settings["target"].erase("from_movement");
+    write_json(folder / "case.json", settings);
+  };
+  choose("le-fort-3");
+  for (const char* name : {"mid-face", "maxilla"})
+  {
+    LogicScene world;
+    Plan* plan = world.logic->OpenCase(folder.string());
+    ASSERT_NE(plan, nullptr) << world.logic->GetErrorText();
+    ASSERT_TRUE(world.logic->Cut(plan)) << plan->GetStatusText();
+    EXPECT_EQ(plan->GetOsteotomyNode()->GetNthFragmentName(0), name);
+    choose("le-fort-1");
+  }
 }
 
 TEST(LogicTest, AMovedCaseFolderOpens)
