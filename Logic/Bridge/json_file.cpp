@@ -21,7 +21,12 @@ nlohmann::json read_json(const std::filesystem::path& path)
   const std::string content = text.str();
   try
   {
-    return nlohmann::json::parse(content);
+    nlohmann::json document = nlohmann::json::parse(content);
+    if (!document.is_object())
+      throw Error(path.string(),
+                  std::string("it holds ") + document.type_name() + ", not an object",
+                  "give a file that begins with '{', as FaceToBone and Slicer write it");
+    return document;
   }
   catch (const nlohmann::json::out_of_range&)
   {

@@ -435,8 +435,7 @@ std::map<CLI::App*, Action> add_verbs(CLI::App& app, Arguments& a)
 {
   std::map<CLI::App*, Action> actions;
   add_sample(app, a, actions);
-  actions[add_case_verb(app, a, "run",
-                        "Do everything: CT and target face in, plan and report out",
+  actions[add_case_verb(app, a, "run", "Do everything: CT and target face in, plan and report out",
                         "Case file (JSON; Resources/Schema/case.schema.json)")] = run;
   actions[add_case_verb(app, a, "segment", "Find skin and bone in the CT; begins a case folder",
                         "Case file, or a CT: DICOM folder, .nrrd, .mha, .mhd, .nii")] = segment;
@@ -517,6 +516,12 @@ int perform(const std::string& verb, const Action& action, const Arguments& a)
   {
     return report_failure(error.what(),
                           error.kind() == ErrorKind::Numerical ? numerical_failure : bad_input);
+  }
+  catch (const nlohmann::json::exception& error)
+  {
+    return report_failure("a .json file of the case is not as this program writes it (" +
+                              std::string(error.what()) + "); do the step that made it anew",
+                          bad_input);
   }
   catch (const std::bad_alloc&)
   {

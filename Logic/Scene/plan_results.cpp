@@ -1,7 +1,6 @@
 #include "Scene/plan_results.hpp"
 
 #include "Bridge/json_file.hpp"
-#include "Case/library_versions.hpp"
 #include "Scene/movement_text.hpp"
 
 #include <vtkMRMLFaceToBonePlanNode.h>
@@ -106,9 +105,10 @@ std::string provenance(const CaseOutlook& files, const json& segment, const json
   const json found = told.value("methods", json::object());
   for (const auto& method : found.items())
     methods.push_back(method.key());
-  json versions = json::object();
-  for (const auto& [name, version] : library_versions())
-    versions[name] = version;
+  json versions = json::object(); // of the program that made it, which need not be this one
+  for (const json& one :
+       (told.contains("versions") ? told : segment).value("versions", json::array()))
+    versions[one.at(0).get<std::string>()] = one.at(1);
   return json{{"date", date_of(files.file(made))},
               {"made", made},
               {"methods", methods},

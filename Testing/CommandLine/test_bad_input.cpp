@@ -279,7 +279,7 @@ TEST(BadInput, DamagedCaseFiles)
     folder.write(std::string("case/") + name, whole);
   };
   refused("case.json", "{", "cut", {"case.json", "line 1"});
-  refused("case.json", "[]", "cut", {"case.json", "the document"});
+  refused("case.json", "[]", "cut", {"case.json", "array, not an object"});
   refused("bone_distance.nrrd", "NRRD0004\n", "cut", {"bone_distance.nrrd", "segment"});
   refused("landmarks.mrk.json", "{}", "cut", {"landmarks.mrk.json"});
   refused("skin.vtp", "<VTKFile>", "target", {"skin.vtp"});

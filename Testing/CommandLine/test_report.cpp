@@ -246,6 +246,8 @@ TEST(Report, TellsWhatIsMissing)
   EXPECT_FALSE(fs::exists(dir / "pictures/contact_surfaces.png")) << "a stale one";
   std::ofstream(dir / "plan.json") << R"({"methods": {}})";
   expect_refusal({"report", dir.string()}, {"plan.json", "facetobone plan"}, dir);
+  std::ofstream(dir / "plan.json") << "[]";
+  expect_refusal({"report", dir.string()}, {"plan.json", "array, not an object"}, dir);
 }
 
 TEST(Report, ChecksumsAreThoseOfTheInputs)

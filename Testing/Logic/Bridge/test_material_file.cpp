@@ -190,7 +190,8 @@ TEST(MaterialFile, MissingKeysAndFilesAreNamed)
   }
   expect_error([] { read_materials("tabel1-stable"); },
                {"tabel1-stable", "no such", "nazari-2011, table1-stable, table1"});
-  expect_error([&] { read_materials(folder.write("list.json", "[]")); }, {"list.json", "units"});
+  expect_error([&] { read_materials(folder.write("list.json", "[]")); },
+               {"list.json", "array, not an object"});
   expect_error([&] { read_materials(folder.write("nan.json", R"({"units": NaN})")); },
                {"nan.json", "line 1"});
 }
