@@ -5,6 +5,7 @@
 #include "Case/schema_check.hpp"
 #include "Case/settings_paths.hpp"
 #include "Core/error.hpp"
+#include "Core/geometry/face_regions.hpp"
 #include "Core/geometry/osteotomy_templates.hpp"
 
 #include <algorithm>
@@ -231,6 +232,20 @@ void read_groups(const json& document, CaseSettings& s)
   take(solver, "predict_model", s.predict_model);
 }
 
+void require_region(const std::string& key, const Path& source)
+{
+  std::string known;
+  for (const FaceRegion region : all_face_regions())
+  {
+    if (key_of(region) == key)
+      return;
+    known += (known.empty() ? "" : ", ") + key_of(region);
+  }
+  throw Error(source.string(),
+              "'/skin_thickness_by_region_mm/" + key + "' is no region of the face",
+              "use " + known);
+}
+
 /// What must fit together between one key and another.
 void check_together(const CaseSettings& s, const Path& source)
 {
@@ -250,6 +265,8 @@ void check_together(const CaseSettings& s, const Path& source)
     throw Error(source.string(),
                 "'/solver/virtual_force/landmarks' names landmarks, and '/landmarks' is absent",
                 "give a file of Slicer fiducials");
+  for (const auto& [key, thickness] : s.skin_thickness_by_region_mm)
+    require_region(key, source);
   if (!s.seeds.empty() && !s.level_set)
     throw Error(source.string(),
                 "'/segmentation/seeds' is given, and '/segmentation/bone' is not "
@@ -314,6 +331,7 @@ CaseSettings parse_settings(const json& document, const Path& source)
     s.region_ras =
         Box{point_from(document["region_ras"]["min"]), point_from(document["region_ras"]["max"])};
   take(document, "skin_thickness_mm", s.skin_thickness_mm);
+  take(document, "skin_thickness_by_region_mm", s.skin_thickness_by_region_mm);
   read_groups(document, s);
   take_path(document.value("segmentation", json::object()), "seeds", source, s.seeds);
   take_path(document.value("segmentation", json::object()), "labels", source, s.labels);

@@ -96,6 +96,7 @@ struct CaseSettings
   bool level_set = false;      ///< bone by it instead of the threshold
   Path seeds, labels;          ///< of the level set; edited by hand
   double skin_thickness_mm = 1.5;
+  std::map<std::string, double> skin_thickness_by_region_mm; ///< by key_of(FaceRegion)
   std::vector<OsteotomySettings> osteotomies;
   std::vector<ProtectedSettings> protected_structures;
   TargetSettings target;

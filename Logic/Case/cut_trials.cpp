@@ -37,7 +37,7 @@ MixedMesh uncut_mesh(const CaseSession& session, const ShellInputs& inputs, doub
 } // namespace
 
 CutTrials::CutTrials(const CaseSession& session, double density, const Progress& progress)
-    : m_release_margin_mm(session.settings.release_margin_mm), m_inputs(session.folder),
+    : m_release_margin_mm(session.settings.release_margin_mm), m_inputs(session),
       m_landmarks(landmarks_of(session.folder)),
       m_uncut(uncut_mesh(session, m_inputs, density, progress, m_seconds.mesh)),
       m_face(session, m_uncut)

@@ -38,7 +38,7 @@ class FaceWithChin
 {
 public:
   explicit FaceWithChin(const CaseSession& session)
-      : m_inputs(session.folder), m_osteotomies(placed_osteotomies(session.folder)),
+      : m_inputs(session), m_osteotomies(placed_osteotomies(session.folder)),
         m_face(session,
                mesh_shell(session, m_inputs, session.settings.mesh_density, no_progress).mesh)
   {

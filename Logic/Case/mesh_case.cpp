@@ -101,7 +101,7 @@ void mesh_case(CaseSession& session)
 {
   const Stopwatch watch;
   const CaseFolder& folder = session.folder;
-  const ShellInputs inputs(folder);
+  const ShellInputs inputs(session);
   const std::vector<Osteotomy> osteotomies = placed_osteotomies(folder);
 
   const std::optional<int> wanted = session.settings.mesh_tetrahedra;

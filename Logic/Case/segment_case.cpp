@@ -5,6 +5,7 @@
 #include "Case/face_regions.hpp"
 #include "Case/file_checksum.hpp"
 #include "Case/input_records.hpp"
+#include "Case/library_versions.hpp"
 #include "Case/verbs.hpp"
 #include "Case/warp_points.hpp"
 #include "Core/error.hpp"
@@ -203,6 +204,7 @@ void segment_case(CaseSession& session)
               {"bone", surface_facts(bone)},
               {"regions", told_regions},
               {"midline_guess", midline_guess(skin_mesh, head.region_ras)},
+              {"versions", library_versions()},
               {"inputs", inputs},
               {"notes", notes}});
   change.commit("segment");

@@ -31,7 +31,7 @@ Law law_of_truth(const Law& law, double stiffness, const TruthOptions& options)
 MixedMesh cut_mesh(const CaseSession& session, const TruthOptions& options,
                    const Progress& progress)
 {
-  const ShellInputs inputs(session.folder);
+  const ShellInputs inputs(session);
   MixedMesh mesh = mesh_shell(session, inputs, options.density * session.settings.mesh_density,
                               progress, options.skin_thickness_mm)
                        .mesh;

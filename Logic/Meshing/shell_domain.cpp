@@ -32,13 +32,18 @@ ShellDomain::ShellDomain(const ShellFields& fields, const RegionBox& box, double
                   "sample them on one lattice");
   if (!((m_box.hi - m_box.lo).minCoeff() > 0.0))
     throw Error("region of interest", "it does not meet the CT", "move it over the face");
-  for (std::size_t i = 0; i < m_level.values.size(); ++i)
-  {
-    const float depth = fields.skin.values[i] + static_cast<float>(m_zeta);
-    const float bone =
-        std::max(fields.closed_bone.values[i], depth + static_cast<float>(m_least_depth));
-    m_level.values[i] = std::max(depth, -bone);
-  }
+  const Eigen::Vector3i& size = m_level.size;
+  for (int k = 0; k < size.z(); ++k)
+    for (int j = 0; j < size.y(); ++j)
+      for (int i = 0; i < size.x(); ++i)
+      {
+        const std::size_t n = m_level.index(i, j, k);
+        const float depth =
+            fields.skin.values[n] + static_cast<float>(this->zeta(m_level.position(i, j, k)));
+        const float bone =
+            std::max(fields.closed_bone.values[n], depth + static_cast<float>(m_least_depth));
+        m_level.values[n] = std::max(depth, -bone);
+      }
 }
 
 double ShellDomain::level(const Vec3& p) const
@@ -53,12 +58,12 @@ double ShellDomain::wall_level(const Vec3& p) const
 
 double ShellDomain::bone_level(const Vec3& p) const
 {
-  return std::max(m_fields.closed_bone.value(p), skin(p) + m_zeta + m_least_depth);
+  return std::max(m_fields.closed_bone.value(p), skin(p) + zeta(p) + m_least_depth);
 }
 
 ShellPart ShellDomain::part(const Vec3& p) const
 {
-  const double wall = wall_level(p), bone = -bone_level(p), depth = skin(p) + m_zeta;
+  const double wall = wall_level(p), bone = -bone_level(p), depth = skin(p) + zeta(p);
   if (depth >= wall && depth >= bone)
     return ShellPart::UnderSkin;
   return bone >= wall ? ShellPart::Bone : ShellPart::Wall;

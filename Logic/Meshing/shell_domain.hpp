@@ -13,6 +13,8 @@ struct ShellFields
   const ScalarGrid& closed_bone; ///< bone with sinuses and orbits closed
   const ScalarGrid& bone;        ///< bone as it is
   const ScalarGrid& hu;          ///< Hounsfield units
+  /// The skin's thickness where it differs from place to place, on any lattice [mm].
+  const ScalarGrid* thickness = nullptr;
 };
 
 /// The region of interest.
@@ -37,11 +39,16 @@ class ShellDomain
 public:
   /// The box is clipped to the fields' lattice; throws f2b::Error when nothing is left of it or
   /// the lattices differ.
+  /// \param zeta  thickness of the skin where the fields do not tell it [mm]
   ShellDomain(const ShellFields& fields, const RegionBox& box, double zeta, double least_depth);
 
   const ShellFields& fields() const { return m_fields; }
   const RegionBox& box() const { return m_box; }
-  double zeta() const { return m_zeta; }
+  /// Thickness of the skin [mm].
+  double zeta(const Vec3& p) const
+  {
+    return m_fields.thickness ? m_fields.thickness->value(p) : m_zeta;
+  }
 
   double skin(const Vec3& p) const { return m_fields.skin.value(p); }
   /// Negative inside the region to fill with tetrahedra.

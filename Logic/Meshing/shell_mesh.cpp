@@ -46,7 +46,7 @@ TetrahedralDomain sized_domain(const ShellDomain& domain, const ShellMeshOptions
   const double edge = edge_mm(options);
   // A wall is only there to be held: its facets and its sharp edges may be coarse.
   const auto on_wall = [&domain](const Vec3& p)
-  { return domain.wall_level(p) > -0.5 && domain.skin(p) < -domain.zeta() - 2.0; };
+  { return domain.wall_level(p) > -0.5 && domain.skin(p) < -domain.zeta(p) - 2.0; };
   TetrahedralDomain result;
   result.level = [&domain](const Vec3& p) { return domain.level(p); };
   result.lo = domain.box().lo - Vec3::Constant(8.0);

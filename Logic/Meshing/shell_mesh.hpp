@@ -13,7 +13,7 @@ namespace f2b
 struct ShellMeshOptions
 {
   RegionBox region;
-  double zeta = 1.5;        ///< thickness of the skin, height of the prisms [mm]
+  double zeta = 1.5; ///< thickness of the skin, height of the prisms, where no map tells [mm]
   double least_depth = 1.5; ///< least tissue kept below the prisms [mm]
   double density = 1.0;     ///< 1 gives about 11k prisms on a face; lengths go with density^(-1/3)
   double contact_tolerance_mm = 2.0; ///< inner nodes farther from bone than this are free

@@ -139,7 +139,7 @@ bool slide_to_rim(const ShellDomain& domain, unsigned char walls, Vec3& p)
   }
   for (int iteration = 0; iteration < 8; ++iteration)
   {
-    const double depth = domain.skin(p) + domain.zeta();
+    const double depth = domain.skin(p) + domain.zeta(p);
     if (std::abs(depth) < 0.01)
       return true;
     Vec3 gradient = domain.fields().skin.gradient(p);

@@ -104,6 +104,7 @@ private:
   };
 
   int node_count() const { return static_cast<int>(m_sheet.bottom.size()); }
+  double zeta(int node) const { return m_domain.zeta(m_sheet.bottom[node]); }
 
   /// Takes away what would lead off the walls that the node lies on.
   Vec3 along_walls(int node, Vec3 direction) const
@@ -121,7 +122,7 @@ private:
 
   Vec3 traced(int node) const
   {
-    const double step = 0.2, longest = 3.0 * m_domain.zeta();
+    const double step = 0.2, longest = 3.0 * zeta(node);
     Vec3 p = m_sheet.bottom[node];
     for (double length = 0.0; length < longest; length += step)
     {
@@ -156,7 +157,7 @@ private:
     double least = 1.0;
     for (const int triangle : m_around[node])
       least = std::min(least, prism_quality(m_sheet, triangle));
-    const double height = (m_sheet.top[node] - m_sheet.bottom[node]).norm() / m_domain.zeta();
+    const double height = (m_sheet.top[node] - m_sheet.bottom[node]).norm() / zeta(node);
     return least - std::max(0.0, 0.5 - height) - std::max(0.0, 0.3 * (height - 2.0));
   }
 
@@ -189,13 +190,13 @@ private:
   }
 
   /// Positions around `here` worth trying, in a fixed order: in the tangent plane, or in space.
-  void add_around(std::vector<Vec3>& result, const Vec3& here, const Vec3& normal,
+  void add_around(std::vector<Vec3>& result, const Vec3& here, const Vec3& normal, double zeta,
                   bool in_space) const
   {
     const Vec3 u = normal.unitOrthogonal(), v = normal.cross(u);
     for (const double share : {0.8, 0.4, 0.2, 0.1, 0.05})
     {
-      const double radius = share * m_domain.zeta();
+      const double radius = share * zeta;
       for (int k = 0; k < 8; ++k)
       {
         const double angle = 0.7853981633974483 * k;
@@ -222,8 +223,8 @@ private:
     std::vector<Vec3> result;
     if (move != Move::Bottom)
       result = {mean_offset_top(node), mean_top(node), 0.5 * (here + mean_offset_top(node)),
-                m_sheet.bottom[node] + m_domain.zeta() * normal};
-    add_around(result, here, normal, move != Move::TopOnSkin);
+                m_sheet.bottom[node] + zeta(node) * normal};
+    add_around(result, here, normal, zeta(node), move != Move::TopOnSkin);
     return result;
   }
 
@@ -275,7 +276,7 @@ private:
     for (int node = 0; node < node_count(); ++node)
       if (thin[node])
         m_sheet.top[node] = m_sheet.bottom[node] +
-                            along_walls(node, height_share * m_domain.zeta() * bottom_normal(node));
+                            along_walls(node, height_share * zeta(node) * bottom_normal(node));
     return any;
   }
 

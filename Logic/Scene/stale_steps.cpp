@@ -43,7 +43,7 @@ json settings_of_step(int step, const json& document)
   case Plan::Cut:
     return {osteotomies, parts({"protected"})};
   case Plan::Mesh:
-    return parts({"mesh", "skin_thickness_mm"});
+    return parts({"mesh", "skin_thickness_mm", "skin_thickness_by_region_mm"});
   case Plan::Target:
     return parts({"target"});
   case Plan::Plan:

@@ -76,6 +76,7 @@ TEST(CaseSettings, EveryKeyIsTaken)
       {"region_ras", {{"min", {-70, 0, -90}}, {"max", {70, 110, 40}}}},
       {"segmentation", {{"spacing_mm", 0.8}, {"head_closing_mm", 4}, {"bone_closing_mm", 7}}},
       {"skin_thickness_mm", 2},
+      {"skin_thickness_by_region_mm", {{"nose", 2.5}, {"upper_lip", 1}}},
       {"osteotomies",
        {{{"fragment", "chin"},
          {"planes", {"a.mrk.json", "../b.mrk.json"}},
@@ -107,6 +108,8 @@ TEST(CaseSettings, EveryKeyIsTaken)
   EXPECT_EQ(s.head_closing_mm, 4);
   EXPECT_EQ(s.bone_closing_mm, 7);
   EXPECT_EQ(s.skin_thickness_mm, 2);
+  EXPECT_EQ(s.skin_thickness_by_region_mm,
+            (std::map<std::string, double>{{"nose", 2.5}, {"upper_lip", 1}}));
   EXPECT_EQ(s.osteotomies.at(0).planes.at(1).lexically_normal(), "/cases/b.mrk.json");
   EXPECT_EQ(*s.osteotomies.at(0).fragment_point, Vec3(1, 2, 3));
   EXPECT_EQ(s.osteotomies.at(0).kerf_mm, 0.5);
@@ -308,6 +311,7 @@ TEST(CaseSettings, KeysMustFitTogether)
   refused(document, {"le-fort-3", "'/landmarks' is absent"});
   refused(with("/region_ras", {{"min", {0, 5, 0}}, {"max", {1, 5, 1}}}), {"'/region_ras'", "min"});
   refused(with("/thresholds", {{"skin_hu", 300}, {"bone_hu", 200}}), {"'/thresholds/skin_hu'"});
+  refused(with("/skin_thickness_by_region_mm", {{"nostril", 2}}), {"nostril", "nose, "});
 }
 
 TEST(CaseSettings, PathsMayUseTheEnvironment)

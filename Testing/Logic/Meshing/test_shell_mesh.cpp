@@ -4,6 +4,7 @@
 #include "Core/mesh/boundary_facets.hpp"
 #include "analytic_head.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 
@@ -171,6 +172,36 @@ TEST_F(ShellMeshTest, DensityRaisesTheCounts)
   const ShellMesh denser = build_shell_mesh(head().fields(), options);
   EXPECT_GT(denser.report.tets, 1.4 * report().tets);
   EXPECT_GE(denser.report.quality.min_scaled_jacobian, 0.1);
+}
+
+TEST_F(ShellMeshTest, ThicknessMaySlowlyChangeFromPlaceToPlace)
+{
+  // 1 mm on the right, 3 mm on the left
+  ScalarGrid thickness{head().skin.origin, head().skin.spacing, head().skin.size, {}};
+  for (int k = 0; k < thickness.size.z(); ++k)
+    for (int j = 0; j < thickness.size.y(); ++j)
+      for (int i = 0; i < thickness.size.x(); ++i)
+        thickness.values.push_back(
+            static_cast<float>(2 - std::tanh(thickness.position(i, j, k).x() / 10)));
+  ShellFields fields = head().fields();
+  const ShellMesh shell = build_shell_mesh(
+      {fields.skin, fields.closed_bone, fields.bone, fields.hu, &thickness}, coarse_options());
+  EXPECT_EQ(shell.report.quality.inverted_elements, 0);
+  EXPECT_GE(shell.report.quality.min_dihedral_deg, 8.0);
+  EXPECT_EQ(shell.report.holes, 0);
+  EXPECT_LT(shell.report.fidelity.ct_to_mesh.p95, 0.5);
+  std::vector<double> right, left;
+  for (const std::array<int, 6>& prism : shell.mesh.prisms)
+    for (int c = 0; c < 3; ++c)
+    {
+      const Vec3 &bottom = shell.mesh.X[prism[c]], &top = shell.mesh.X[prism[c + 3]];
+      if (std::abs(bottom.x()) > 20)
+        (bottom.x() > 0 ? right : left).push_back((top - bottom).norm());
+    }
+  for (std::vector<double>* side : {&right, &left})
+    std::sort(side->begin(), side->end());
+  EXPECT_NEAR(right[right.size() / 2], 1, 0.1);
+  EXPECT_NEAR(left[left.size() / 2], 3, 0.2);
 }
 
 TEST_F(ShellMeshTest, RegionOutsideTheCtIsRefused)

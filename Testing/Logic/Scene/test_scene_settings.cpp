@@ -65,8 +65,10 @@ json full_case()
   document["region_ras"] = {{"min", {-76.1, -10, -134}}, {"max", {76, 115, 1.0 / 3}}};
   document["segmentation"] = {{"spacing_mm", 1.5},        {"head_closing_mm", 4.0},
                               {"bone_closing_mm", 7.0},   {"bone", "level-set"},
-                              {"seeds", "/a/s.mrk.json"}, {"labels", "/a/l.seg.nrrd"}};
+                              {"seeds", "/a/s.mrk.json"}, {"labels", "/a/l.seg.nrrd"},
+                              {"surface_error_mm", 0.1}};
   document["skin_thickness_mm"] = 1.6;
+  document["skin_thickness_by_region_mm"] = {{"nose", 2.5}, {"upper_lip", 1.0}};
   document["osteotomies"] = full_osteotomies();
   document["protected"] = {{{"name", "nerve"}, {"curve", "/a/n.mrk.json"}, {"margin_mm", 1.5}},
                            {{"name", "roots"}, {"mesh", "/a/r.stl"}}};
@@ -74,7 +76,10 @@ json full_case()
                         {"registration_sd_mm", 0.4},
                         {"mask_mm", 1.5}};
   document["materials"] = "table1";
-  document["mesh"] = {{"density", 0.15}, {"release_margin_mm", 4.5}, {"contact_tolerance_mm", 2.5}};
+  document["mesh"] = {{"density", 0.15},
+                      {"tetrahedra", 20000},
+                      {"release_margin_mm", 4.5},
+                      {"contact_tolerance_mm", 2.5}};
   document["solver"] = {{"threads", 1},
                         {"max_newton_iterations", 30},
                         {"step_tolerance_mm", 1.25e-7},
