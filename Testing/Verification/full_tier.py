@@ -6,7 +6,9 @@ A check is a function that returns rows (name, value, requirement, pass). Finish
 work folder together with a checksum of the program and are not run again while that stays the same.
 """
 import argparse
+import array
 import concurrent.futures
+import gzip
 import hashlib
 import json
 import math
@@ -656,6 +658,96 @@ def segmented(tier, name, **settings):
     return folder, tier.run("segment", file, "-o", folder)
 
 
+def read_raw_nrrd(path):
+    """Sizes, header and samples (int16) of a NRRD file."""
+    content = path.read_bytes()
+    end = content.index(b"\n\n") + 2
+    header = dict(line.split(": ", 1) for line in content[:end].decode().splitlines() if ": " in line)
+    samples = array.array("h")
+    packed = content[end:]
+    samples.frombytes(gzip.decompress(packed) if header["encoding"].startswith("gz") else packed)
+    return [int(n) for n in header["sizes"].split()], header, samples
+
+
+def doubled(row):
+    twice = array.array("h", bytes(4 * len(row)))
+    twice[0::2] = twice[1::2] = row
+    return twice
+
+
+def write_big_volume(source, path, size):
+    """A CT of int16 at half its voxels' edges, padded with air to a size."""
+    (nx, ny, nz), header, samples = read_raw_nrrd(source)
+    scaled = re.sub(r"-?[0-9.]+(?:e-?[0-9]+)?", lambda n: repr(float(n[0]) / 2), header["space directions"])
+    air = array.array("h", [-1000])
+    with path.open("wb") as file:
+        file.write(f"NRRD0005\ntype: int16\ndimension: 3\nspace: {header['space']}\nsizes: {size[0]} {size[1]} {size[2]}\n"
+                   f"space directions: {scaled}\nkinds: domain domain domain\nendian: little\nencoding: raw\n"
+                   f"space origin: {header['space origin']}\n\n".encode())
+        for k in range(size[2]):
+            plane = array.array("h")
+            for j in range(min(size[1], 2 * ny) if k < 2 * nz else 0):
+                start = (k // 2 * ny + j // 2) * nx
+                row = doubled(samples[start:start + nx])[:size[0]]
+                plane.extend(row + air * (size[0] - len(row)))
+            plane.extend(air * (size[0] * size[1] - len(plane)))
+            plane.tofile(file)
+
+
+def big_volume(tier):
+    """A CT of 512 x 512 x 600 voxels is cropped and resampled within 4 GiB."""
+    tier.run("sample", "-o", tier.work / "big-patient", "--spacing", 0.9)
+    size = (512, 512, 600)
+    ct = tier.work / "big-ct.nrrd"
+    write_big_volume(tier.work / "big-patient" / "ct.nrrd", ct, size)
+    begin = time.monotonic()
+    process = subprocess.Popen([str(tier.program), "-q", "segment", str(ct), "-o", str(tier.work / "big-segmented")])
+    _, status, usage = os.wait4(process.pid, 0)
+    seconds, gib = time.monotonic() - begin, usage.ru_maxrss / 2 ** 20
+    ct.unlink()
+    skin = load(tier.work / "big-segmented" / "segment.json")["skin"]
+    return [("exit", status, "0", status == 0), ("peak memory [GiB]", gib, "< 4", gib < 4), ("time [s]", seconds, "printed", True),
+            ("triangles of the skin", skin["triangles"], "> 10000", skin["triangles"] > 10000),
+            ("open edges of the skin", skin["open_edges"], "0", skin["open_edges"] == 0)]
+
+
+TEMPLATES = ("le-fort-1", "le-fort-2", "le-fort-3", "bsso", "bsso-right", "bsso-left", "genioplasty", "zygoma-right", "zygoma-left")
+
+
+def every_ct(tier):
+    """Every CT of the data through segment, each template's cut, and the mesh of Le Fort I and III; what is no CT is refused."""
+    rows = []
+    for name in ("cthead_unc", "phantom_imagex"):
+        folder, seconds = segmented(tier, name)
+        rows.append((f"{name}: segment [s]", seconds, "printed", True))
+        case = load(folder / "case.json")
+        case.pop("target")
+        for template in TEMPLATES:
+            case["osteotomies"] = [{"template": template}]
+            (folder / "case.json").write_text(json.dumps(case))
+            tier.run("cut", folder)
+            told = told_by(tier, "check_surfaces", folder)
+            faults = sum(part[what] for part in [told["uncut_bone"], *told["fragments"].values()]
+                         for what in ("open_edges", "non_manifold_edges", "crossing_triangles"))
+            rows += [(f"{name}, {template}: open, non-manifold, crossing", faults, "0", faults == 0),
+                     (f"{name}, {template}: fragments + kerf against bone", told["imbalance"], "< 0.001", told["imbalance"] < 0.001)]
+            if template in ("le-fort-1", "le-fort-3"):
+                tier.run("mesh", folder)
+                mesh = load(folder / "mesh.json")
+                rows += [(f"{name}, {template}: tetrahedra", mesh["tets"], "printed", True),
+                         (f"{name}, {template}: segment and mesh [s]", seconds + mesh["seconds"], "printed", True),
+                         (f"{name}, {template}: smallest dihedral angle [deg]", mesh["min_dihedral_deg"], ">= 8", mesh["min_dihedral_deg"] >= 8),
+                         (f"{name}, {template}: inverted elements", mesh["inverted_elements"], "0", mesh["inverted_elements"] == 0)]
+            tier.run("screenshot", folder, "--show", "fragments-before", "--view", "three-quarter-right", "-o",
+                     tier.work / f"{name}-{template}.png")
+    labels = tier.data / "seg_dental" / "PostDentalSurgery_Segmentation.nii.gz"
+    refused = subprocess.run([str(tier.program), "segment", str(labels), "-o", str(tier.work / "no-ct")], capture_output=True, text=True)
+    sentences = len(refused.stderr.strip().splitlines())
+    print("seg_dental:", refused.stderr.strip(), flush=True)
+    return rows + [("seg_dental, labels and no CT: exit", refused.returncode, "2", refused.returncode == 2),
+                   ("seg_dental: lines of its error", sentences, "1", sentences == 1)]
+
+
 def cut_rows(told, wanted_share):
     met = told["met_bone"]
     for refusal in told["refusals"]:
@@ -821,6 +913,8 @@ CHECKS = {
     "plan_time": plan_time,
     "mtm_lfem": mtm_lfem,
     "calculix": calculix,
+    "every_ct": every_ct,
+    "big_volume": big_volume,
     "random_cuts": random_cuts,
     "big_cut": big_cut,
     "surfaces": surfaces,
