@@ -5,12 +5,10 @@
 
 #include <memory>
 
-class QButtonGroup;
 class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
-class QLabel;
-class QSlider;
+class qFaceToBoneBrushPanel;
 class qFaceToBoneCase;
 namespace f2b
 {
@@ -43,8 +41,6 @@ signals:
   void handlesShown(bool on);
 
 private:
-  QWidget* makeBrushes();
-  QWidget* makeSettings();
   QWidget* makeLandmarkMove();
   QWidget* makeMaskAndFiles();
   void readControls();
@@ -53,11 +49,8 @@ private:
 
   qFaceToBoneCase* m_case;
   std::unique_ptr<f2b::Brush> m_brush;
-  bool m_updating = false;
-  QButtonGroup* m_kinds;
-  QDoubleSpinBox *m_radius, *m_strength, *m_depth;
-  QComboBox* m_curve;
-  QCheckBox *m_symmetric, *m_frontOnly, *m_depthLimited, *m_handles;
+  qFaceToBoneBrushPanel* m_brushes;
+  QCheckBox* m_handles;
   QComboBox* m_landmark;
   QDoubleSpinBox *m_move[3], *m_moveRadius;
 };

@@ -15,11 +15,12 @@ ROOMS = {
     "CommandLine": {"Core", "Bridge", "Rendering", "Case", "Scene", "CommandLine"},
     "Widgets": {"Core", "Bridge", "Case"},
     "Widgets/VTK": {"Core"},
+    "Widgets/MRML": {"Core"},
     "Widgets/Desktop": {"Core", "Rendering"},
 }
 LIBRARIES = {  # first letters of a header -> the rooms that may include it
     r"vtk(?!MRML|Slicer)": {"Meshing", "Bridge", "Rendering", "Case", "Scene", "CommandLine", "Widgets", "Widgets/VTK",
-                            "Widgets/Desktop"},
+                            "Widgets/MRML", "Widgets/Desktop"},
     r"itk": {"Imaging", "Bridge"},
     r"CGAL/": {"Meshing"},
     r"nlohmann/": {"Bridge", "Case", "Scene", "CommandLine", "Widgets"},
@@ -28,7 +29,7 @@ LIBRARIES = {  # first letters of a header -> the rooms that may include it
     r"CLI/": {"CommandLine"},
     r"Q[A-Z]": {"Widgets", "Widgets/Desktop"},
     r"qMRML|qSlicer": set(),
-    r"vtkMRML": {"Scene", "CommandLine", "Widgets"},
+    r"vtkMRML": {"Scene", "CommandLine", "Widgets", "Widgets/MRML"},
     r"vtkSlicer": {"CommandLine", "Widgets"},
     r"cholmod": {"Core"},
     r"(fstream|filesystem)$": set(ROOMS) - {"Core"},
@@ -72,8 +73,9 @@ def mrml_faults(path):
             yield f"{path.relative_to(root)}:{number}: MRML must not include {header}"
 
 
-# Slicer's own, for the module's class and panel alone
-MODULE_HEADERS = {"ctkVTKObject.h", "qSlicerAbstractModuleWidget.h", "qSlicerLoadableModule.h"}
+# Slicer's own, for the module's class, panel and hold on the views alone
+MODULE_HEADERS = {"ctkVTKObject.h", "qMRMLThreeDView.h", "qMRMLThreeDWidget.h", "qSlicerAbstractModuleWidget.h",
+                  "qSlicerApplication.h", "qSlicerLayoutManager.h", "qSlicerLoadableModule.h"}
 stand_in = {path.name for path in (root / "MRML" / "StandIn").rglob("*.h")}
 found += [fault for folder in ("MRML", "Logic", "Widgets") for path in sorted((root / folder).rglob("*.*"))
           if path.suffix in {".h", ".cxx", ".hpp", ".cpp"} for fault in mrml_faults(path)]

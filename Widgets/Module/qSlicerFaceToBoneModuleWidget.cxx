@@ -1,6 +1,10 @@
 #include "qSlicerFaceToBoneModuleWidget.h"
 #include "ui_qSlicerFaceToBoneModuleWidget.h"
 
+#include "qFaceToBoneBrushPanel.h"
+#include "qSlicerFaceToBoneSculpting.h"
+#include "vtkFaceToBoneSkinSculpting.h"
+
 #include <vtkMRMLFaceToBoneOsteotomyNode.h>
 #include <vtkMRMLFaceToBonePlanNode.h>
 #include <vtkMRMLFaceToBoneTargetNode.h>
@@ -70,6 +74,8 @@ public:
   vtkSlicerFaceToBoneLogic* logic() const;
   std::array<StepControls, 7> steps() const;
   void connectControls();
+  void makeSculpting();
+  void showSculpting();
   void showInputs();
   void showOptions();
   void showSteps();
@@ -81,6 +87,7 @@ public:
   PlanNode* Plan = nullptr;
   bool Showing = false; ///< the node is being shown: what the controls say then is no wish
   QTimer* Polling = nullptr;
+  qSlicerFaceToBoneSculpting* Sculpting = nullptr;
 };
 
 vtkSlicerFaceToBoneLogic* qSlicerFaceToBoneModuleWidgetPrivate::logic() const
@@ -125,11 +132,47 @@ void qSlicerFaceToBoneModuleWidgetPrivate::connectControls()
   QObject::connect(this->OpenCaseButton, SIGNAL(clicked()), q, SLOT(openCase()));
   QObject::connect(this->CancelButton, SIGNAL(clicked()), q, SLOT(cancel()));
   QObject::connect(this->SculptTargetButton, &QPushButton::clicked, q,
-                   [this]() { this->logic()->AddTargetSkin(this->Plan); });
+                   [this]()
+                   {
+                     this->logic()->AddTargetSkin(this->Plan);
+                     this->Sculpting->setPlan(this->Plan);
+                   });
   QObject::connect(this->Polling, SIGNAL(timeout()), q, SLOT(processLogicEvents()));
 }
 
+void qSlicerFaceToBoneModuleWidgetPrivate::makeSculpting()
+{
+  Q_Q(qSlicerFaceToBoneModuleWidget);
+  auto* panel = new qFaceToBoneBrushPanel;
+  panel->setObjectName("BrushPanel");
+  this->SculptBoxLayout->insertWidget(0, panel);
+  this->Sculpting = new qSlicerFaceToBoneSculpting(panel, q);
+  vtkFaceToBoneSkinSculpting* tool = this->Sculpting->tool();
+  QObject::connect(this->SculptUndoButton, &QPushButton::clicked, q, [tool]() { tool->Undo(); });
+  QObject::connect(this->SculptRedoButton, &QPushButton::clicked, q, [tool]() { tool->Redo(); });
+  QObject::connect(this->ClearMaskButton, &QPushButton::clicked, q,
+                   [tool]() { tool->ClearMask(); });
+  QObject::connect(this->InvertMaskButton, &QPushButton::clicked, q,
+                   [tool]() { tool->InvertMask(); });
+  QObject::connect(this->ColourTargetCheck, &QCheckBox::toggled, q,
+                   [tool](bool on) { tool->SetColoured(on); });
+  QObject::connect(this->Sculpting, &qSlicerFaceToBoneSculpting::changed, q,
+                   [this]() { this->showSculpting(); });
+}
+
 // --- Node to controls
+
+void qSlicerFaceToBoneModuleWidgetPrivate::showSculpting()
+{
+  vtkFaceToBoneSkinSculpting* tool = this->Sculpting->tool();
+  this->SculptUndoButton->setEnabled(tool->CanUndo());
+  this->SculptRedoButton->setEnabled(tool->CanRedo());
+  for (QWidget* control :
+       {static_cast<QWidget*>(this->ClearMaskButton), static_cast<QWidget*>(this->InvertMaskButton),
+        static_cast<QWidget*>(this->ColourTargetCheck)})
+    control->setEnabled(tool->GetSession() != nullptr);
+  this->SculptStatus->setText(this->Sculpting->statusText());
+}
 
 void qSlicerFaceToBoneModuleWidgetPrivate::showInputs()
 {
@@ -300,6 +343,7 @@ void qSlicerFaceToBoneModuleWidget::setup()
   for (const std::string& name : vtkSlicerFaceToBoneLogic::GetTemplateNames())
     d->TemplateCombo->addItem(QString::fromStdString(name));
   d->TemplateCombo->addItem(tr("planes of my own"));
+  d->makeSculpting();
   d->connectControls();
   for (const StepControls& step : d->steps())
     QObject::connect(step.Button, &QPushButton::clicked, this,
@@ -311,9 +355,19 @@ void qSlicerFaceToBoneModuleWidget::enter()
 {
   Q_D(qSlicerFaceToBoneModuleWidget);
   this->Superclass::enter();
+  if (d->Sculpting)
+    d->Sculpting->findView();
   if (!d->Plan && this->mrmlScene())
     this->setPlanNode(this->mrmlScene()->GetFirstNodeByClass("vtkMRMLFaceToBonePlanNode"));
   this->updateWidgetFromMRML();
+}
+
+void qSlicerFaceToBoneModuleWidget::exit()
+{
+  Q_D(qSlicerFaceToBoneModuleWidget);
+  if (d->Sculpting)
+    d->Sculpting->stop(); // the mouse is another module's now
+  this->Superclass::exit();
 }
 
 bool qSlicerFaceToBoneModuleWidget::setEditedNode(vtkMRMLNode* node, QString, QString)
@@ -371,6 +425,9 @@ void qSlicerFaceToBoneModuleWidget::updateWidgetFromMRML()
     d->showOptions();
     d->showMovement();
   }
+  d->Sculpting->setLogic(d->logic());
+  d->Sculpting->setPlan(d->Plan);
+  d->showSculpting();
   d->showSteps();
   d->Showing = false;
 }

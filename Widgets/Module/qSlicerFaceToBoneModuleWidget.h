@@ -26,6 +26,7 @@ public:
   ~qSlicerFaceToBoneModuleWidget() override;
 
   void enter() override;
+  void exit() override;
   bool setEditedNode(vtkMRMLNode* node, QString role = QString(),
                      QString context = QString()) override;
 

@@ -19,6 +19,7 @@ void vtkFaceToBoneToolWidget::Listen()
 vtkFaceToBoneToolWidget::vtkFaceToBoneToolWidget()
 {
   this->ManagesCursor = 0;
+  this->KeyPressActivationOff(); // the host says when a tool is on, not VTK's key i
   this->Listen<vtkCommand::MouseMoveEvent>();
   this->Listen<vtkCommand::LeftButtonPressEvent>();
   this->Listen<vtkCommand::LeftButtonReleaseEvent>();
