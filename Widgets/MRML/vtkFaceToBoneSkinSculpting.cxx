@@ -127,37 +127,33 @@ vtkFaceToBoneSkinSculpting::~vtkFaceToBoneSkinSculpting()
 
 // --- What may come and go
 
-template <class Callback>
-void vtkFaceToBoneSkinSculpting::WatchEvent(vtkObject* watched, unsigned long event,
-                                            Callback callback)
+/// Once for each scene, as the nodes are often let go of within its own events.
+void vtkFaceToBoneSkinSculpting::WatchScene()
 {
-  if (!watched)
+  vtkMRMLScene* scene = this->Target ? this->Target->GetScene() : nullptr;
+  if (!scene || scene == this->Scene)
     return;
-  Watch watch;
-  watch.Watched = watched;
-  watch.Tag = watched->AddObserver(event, this, callback);
-  this->Watches.push_back(watch);
+  this->Scene = scene;
+  this->SceneWatches.Clear();
+  this->SceneWatches.Add(scene, vtkMRMLScene::NodeAboutToBeRemovedEvent, this,
+                         &vtkFaceToBoneSkinSculpting::OnNodeRemoved);
+  this->SceneWatches.Add(scene, vtkMRMLScene::StartCloseEvent, this,
+                         &vtkFaceToBoneSkinSculpting::OnSceneClosed);
 }
 
 void vtkFaceToBoneSkinSculpting::WatchNodes()
 {
   using Self = vtkFaceToBoneSkinSculpting;
-  for (const Watch& watch : this->Watches)
-    if (watch.Watched)
-      watch.Watched->RemoveObserver(watch.Tag);
-  this->Watches.clear();
+  this->NodeWatches.Clear();
   for (const unsigned long event :
        {static_cast<unsigned long>(vtkMRMLModelNode::MeshModifiedEvent),
         static_cast<unsigned long>(vtkMRMLTransformableNode::TransformModifiedEvent)})
   {
-    this->WatchEvent(this->Target, event, &Self::OnTargetChanged);
-    this->WatchEvent(this->Reference, event, &Self::OnReferenceChanged);
+    this->NodeWatches.Add(this->Target, event, this, &Self::OnTargetChanged);
+    this->NodeWatches.Add(this->Reference, event, this, &Self::OnReferenceChanged);
   }
-  this->WatchEvent(this->Landmarks, vtkMRMLMarkupsNode::PointModifiedEvent,
-                   &Self::OnLandmarksChanged);
-  vtkMRMLScene* scene = this->Target ? this->Target->GetScene() : nullptr;
-  this->WatchEvent(scene, vtkMRMLScene::NodeAboutToBeRemovedEvent, &Self::OnNodeRemoved);
-  this->WatchEvent(scene, vtkMRMLScene::StartCloseEvent, &Self::OnSceneClosed);
+  this->NodeWatches.Add(this->Landmarks, vtkMRMLMarkupsNode::PointModifiedEvent, this,
+                        &Self::OnLandmarksChanged);
 }
 
 void vtkFaceToBoneSkinSculpting::SetView(vtkRenderWindowInteractor* interactor,
@@ -186,6 +182,7 @@ void vtkFaceToBoneSkinSculpting::SetNodes(vtkMRMLModelNode* reference, vtkMRMLMo
   this->Forget();
   this->Reference = reference;
   this->Target = target;
+  this->WatchScene();
   this->WatchNodes();
   this->Modified();
 }

@@ -1,6 +1,8 @@
 #ifndef vtkFaceToBoneSkinSculpting_h
 #define vtkFaceToBoneSkinSculpting_h
 
+#include "vtkFaceToBoneWatches.h"
+
 #include <vtkNew.h>
 #include <vtkObject.h>
 #include <vtkSmartPointer.h>
@@ -9,7 +11,6 @@
 #include <functional>
 #include <memory>
 #include <string>
-#include <vector>
 
 class vtkFaceToBoneSculptWidget;
 class vtkMRMLMarkupsNode;
@@ -38,8 +39,8 @@ class vtkFaceToBoneSkinSculpting : public vtkObject
 {
 public:
   static vtkFaceToBoneSkinSculpting* New();
-  vtkTypeMacro(vtkFaceToBoneSkinSculpting, vtkObject);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
+  vtkTypeMacro(vtkFaceToBoneSkinSculpting, vtkObject) void PrintSelf(ostream& os,
+                                                                     vtkIndent indent) override;
 
   /// Where the brush works; null: nowhere.
   void SetView(vtkRenderWindowInteractor* interactor, vtkRenderer* renderer);
@@ -86,15 +87,7 @@ protected:
   ~vtkFaceToBoneSkinSculpting() override;
 
 private:
-  /// An observer that goes with us, on what may go before us.
-  struct Watch
-  {
-    vtkWeakPointer<vtkObject> Watched;
-    unsigned long Tag = 0;
-  };
-
-  template <class Callback>
-  void WatchEvent(vtkObject* watched, unsigned long event, Callback callback);
+  void WatchScene();
   void WatchNodes();
   void Forget();
   bool Load();
@@ -117,7 +110,8 @@ private:
   vtkWeakPointer<vtkRenderWindowInteractor> Interactor;
   vtkWeakPointer<vtkMRMLModelNode> Reference, Target;
   vtkWeakPointer<vtkMRMLMarkupsNode> Landmarks;
-  std::vector<Watch> Watches;
+  vtkWeakPointer<vtkMRMLScene> Scene;
+  vtkFaceToBoneWatches SceneWatches, NodeWatches;
   std::shared_ptr<f2b::SculptingSession> Session;
   vtkSmartPointer<vtkPolyData> Shown; ///< of the target, that the brush writes to
   bool Symmetric = false;

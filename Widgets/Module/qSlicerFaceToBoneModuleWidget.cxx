@@ -2,7 +2,8 @@
 #include "ui_qSlicerFaceToBoneModuleWidget.h"
 
 #include "qFaceToBoneBrushPanel.h"
-#include "qSlicerFaceToBoneSculpting.h"
+#include "qSlicerFaceToBoneTools.h"
+#include "vtkFaceToBoneFragmentHands.h"
 #include "vtkFaceToBoneSkinSculpting.h"
 
 #include <vtkMRMLFaceToBoneOsteotomyNode.h>
@@ -72,10 +73,10 @@ public:
   }
 
   vtkSlicerFaceToBoneLogic* logic() const;
-  std::array<StepControls, 7> steps() const;
+  std::array<StepControls, 8> steps() const;
   void connectControls();
-  void makeSculpting();
-  void showSculpting();
+  void makeTools();
+  void showTools();
   void showInputs();
   void showOptions();
   void showSteps();
@@ -87,7 +88,7 @@ public:
   PlanNode* Plan = nullptr;
   bool Showing = false; ///< the node is being shown: what the controls say then is no wish
   QTimer* Polling = nullptr;
-  qSlicerFaceToBoneSculpting* Sculpting = nullptr;
+  qSlicerFaceToBoneTools* Tools = nullptr;
 };
 
 vtkSlicerFaceToBoneLogic* qSlicerFaceToBoneModuleWidgetPrivate::logic() const
@@ -96,7 +97,7 @@ vtkSlicerFaceToBoneLogic* qSlicerFaceToBoneModuleWidgetPrivate::logic() const
   return vtkSlicerFaceToBoneLogic::SafeDownCast(q->logic());
 }
 
-std::array<StepControls, 7> qSlicerFaceToBoneModuleWidgetPrivate::steps() const
+std::array<StepControls, 8> qSlicerFaceToBoneModuleWidgetPrivate::steps() const
 {
   return {{{PlanNode::Segment, this->SegmentButton, this->SegmentStatus},
            {PlanNode::Cut, this->CutButton, this->CutStatus},
@@ -104,6 +105,7 @@ std::array<StepControls, 7> qSlicerFaceToBoneModuleWidgetPrivate::steps() const
            {PlanNode::Target, this->TargetButton, this->TargetStatus},
            {PlanNode::Suggest, this->SuggestButton, this->SuggestStatus},
            {PlanNode::Plan, this->PlanButton, this->PlanStatus},
+           {PlanNode::Predict, this->PredictButton, this->PredictStatus},
            {PlanNode::Report, this->ReportButton, this->ReportStatus}}};
 }
 
@@ -135,19 +137,19 @@ void qSlicerFaceToBoneModuleWidgetPrivate::connectControls()
                    [this]()
                    {
                      this->logic()->AddTargetSkin(this->Plan);
-                     this->Sculpting->setPlan(this->Plan);
+                     this->Tools->setPlan(this->Plan);
                    });
   QObject::connect(this->Polling, SIGNAL(timeout()), q, SLOT(processLogicEvents()));
 }
 
-void qSlicerFaceToBoneModuleWidgetPrivate::makeSculpting()
+void qSlicerFaceToBoneModuleWidgetPrivate::makeTools()
 {
   Q_Q(qSlicerFaceToBoneModuleWidget);
   auto* panel = new qFaceToBoneBrushPanel;
   panel->setObjectName("BrushPanel");
   this->SculptBoxLayout->insertWidget(0, panel);
-  this->Sculpting = new qSlicerFaceToBoneSculpting(panel, q);
-  vtkFaceToBoneSkinSculpting* tool = this->Sculpting->tool();
+  this->Tools = new qSlicerFaceToBoneTools(panel, q);
+  vtkFaceToBoneSkinSculpting* tool = this->Tools->sculpting();
   QObject::connect(this->SculptUndoButton, &QPushButton::clicked, q, [tool]() { tool->Undo(); });
   QObject::connect(this->SculptRedoButton, &QPushButton::clicked, q, [tool]() { tool->Redo(); });
   QObject::connect(this->ClearMaskButton, &QPushButton::clicked, q,
@@ -156,22 +158,33 @@ void qSlicerFaceToBoneModuleWidgetPrivate::makeSculpting()
                    [tool]() { tool->InvertMask(); });
   QObject::connect(this->ColourTargetCheck, &QCheckBox::toggled, q,
                    [tool](bool on) { tool->SetColoured(on); });
-  QObject::connect(this->Sculpting, &qSlicerFaceToBoneSculpting::changed, q,
-                   [this]() { this->showSculpting(); });
+  vtkFaceToBoneFragmentHands* hands = this->Tools->hands();
+  QObject::connect(this->HandCheck, &QCheckBox::clicked, this->Tools,
+                   &qSlicerFaceToBoneTools::moveByHand);
+  QObject::connect(this->HandResetButton, &QPushButton::clicked, q, [hands]() { hands->Reset(); });
+  QObject::connect(this->Tools, &qSlicerFaceToBoneTools::movementStated, q,
+                   [this]() { this->logic()->UpdateStepStatuses(this->Plan); });
+  QObject::connect(this->Tools, &qSlicerFaceToBoneTools::changed, q,
+                   [this]() { this->showTools(); });
 }
 
 // --- Node to controls
 
-void qSlicerFaceToBoneModuleWidgetPrivate::showSculpting()
+void qSlicerFaceToBoneModuleWidgetPrivate::showTools()
 {
-  vtkFaceToBoneSkinSculpting* tool = this->Sculpting->tool();
+  vtkFaceToBoneSkinSculpting* tool = this->Tools->sculpting();
   this->SculptUndoButton->setEnabled(tool->CanUndo());
   this->SculptRedoButton->setEnabled(tool->CanRedo());
   for (QWidget* control :
        {static_cast<QWidget*>(this->ClearMaskButton), static_cast<QWidget*>(this->InvertMaskButton),
         static_cast<QWidget*>(this->ColourTargetCheck)})
     control->setEnabled(tool->GetSession() != nullptr);
-  this->SculptStatus->setText(this->Sculpting->statusText());
+  this->SculptStatus->setText(this->Tools->sculptingText());
+  vtkFaceToBoneFragmentHands* hands = this->Tools->hands();
+  this->HandCheck->setEnabled(hands->IsMoving() || hands->GetObstacle().empty());
+  this->HandCheck->setChecked(hands->IsMoving());
+  this->HandResetButton->setEnabled(hands->IsMoving());
+  this->HandStatus->setText(this->Tools->handsText());
 }
 
 void qSlicerFaceToBoneModuleWidgetPrivate::showInputs()
@@ -343,7 +356,7 @@ void qSlicerFaceToBoneModuleWidget::setup()
   for (const std::string& name : vtkSlicerFaceToBoneLogic::GetTemplateNames())
     d->TemplateCombo->addItem(QString::fromStdString(name));
   d->TemplateCombo->addItem(tr("planes of my own"));
-  d->makeSculpting();
+  d->makeTools();
   d->connectControls();
   for (const StepControls& step : d->steps())
     QObject::connect(step.Button, &QPushButton::clicked, this,
@@ -355,8 +368,8 @@ void qSlicerFaceToBoneModuleWidget::enter()
 {
   Q_D(qSlicerFaceToBoneModuleWidget);
   this->Superclass::enter();
-  if (d->Sculpting)
-    d->Sculpting->findView();
+  if (d->Tools)
+    d->Tools->findView();
   if (!d->Plan && this->mrmlScene())
     this->setPlanNode(this->mrmlScene()->GetFirstNodeByClass("vtkMRMLFaceToBonePlanNode"));
   this->updateWidgetFromMRML();
@@ -365,8 +378,8 @@ void qSlicerFaceToBoneModuleWidget::enter()
 void qSlicerFaceToBoneModuleWidget::exit()
 {
   Q_D(qSlicerFaceToBoneModuleWidget);
-  if (d->Sculpting)
-    d->Sculpting->stop(); // the mouse is another module's now
+  if (d->Tools)
+    d->Tools->stop(); // the mouse is another module's now
   this->Superclass::exit();
 }
 
@@ -425,9 +438,9 @@ void qSlicerFaceToBoneModuleWidget::updateWidgetFromMRML()
     d->showOptions();
     d->showMovement();
   }
-  d->Sculpting->setLogic(d->logic());
-  d->Sculpting->setPlan(d->Plan);
-  d->showSculpting();
+  d->Tools->setLogic(d->logic());
+  d->Tools->setPlan(d->Plan);
+  d->showTools();
   d->showSteps();
   d->Showing = false;
 }

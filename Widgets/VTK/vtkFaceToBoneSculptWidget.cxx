@@ -28,9 +28,6 @@ vtkFaceToBoneSculptWidget::vtkFaceToBoneSculptWidget()
   this->On(Start, vtkCommand::MouseMoveEvent, [this] { return this->Hover(); });
   this->On(Start, vtkCommand::LeaveEvent, [this] { return this->Leave(); });
   this->On(Start, vtkCommand::LeftButtonPressEvent, [this] { return this->Press(); });
-  this->On(Start, vtkCommand::LeftButtonDoubleClickEvent, [this] { return this->Press(); });
-  this->On(Start, vtkCommand::LeftButtonReleaseEvent, [this] { return this->Rest(LeftOwed); });
-  this->On(Start, vtkCommand::RightButtonReleaseEvent, [this] { return this->Rest(RightOwed); });
   this->On(Start, vtkCommand::MouseWheelForwardEvent, [this] { return this->Wheel(step); });
   this->On(Start, vtkCommand::MouseWheelBackwardEvent, [this] { return this->Wheel(1 / step); });
   this->OnKey(Start, "bracketleft", [this] { return this->ScaleRadius(1 / step); });
@@ -39,13 +36,7 @@ vtkFaceToBoneSculptWidget::vtkFaceToBoneSculptWidget()
   this->OnKey(Start, "braceright", [this] { return this->ScaleStrength(step); });
   this->On(Sculpting, vtkCommand::MouseMoveEvent, [this] { return this->Move(); });
   this->On(Sculpting, vtkCommand::LeftButtonReleaseEvent, [this] { return this->Release(); });
-  this->On(Sculpting, vtkCommand::LeftButtonDoubleClickEvent, [] { return true; });
-  this->On(Sculpting, vtkCommand::RightButtonPressEvent,
-           [this]
-           {
-             this->Owed = RightOwed;
-             return this->TakeBack();
-           });
+  this->On(Sculpting, vtkCommand::RightButtonPressEvent, [this] { return this->TakeBack(); });
   this->OnKey(Sculpting, "Escape", [this] { return this->TakeBack(); });
 }
 
@@ -98,7 +89,6 @@ bool vtkFaceToBoneSculptWidget::Press()
 {
   vtkFaceToBoneSculptRepresentation* shown = this->GetSculptRepresentation();
   const auto place = shown->PlaceAt(this->GetX(), this->GetY());
-  this->Owed = 0;
   if (!place)
     return false;
   *this->Held = *this->Brush;
@@ -184,26 +174,16 @@ bool vtkFaceToBoneSculptWidget::Release()
 
 bool vtkFaceToBoneSculptWidget::TakeBack()
 {
-  this->Owed |= LeftOwed;
   if (f2b::SculptingSession* session = this->GetSculptRepresentation()->GetSession())
     session->cancel_stroke();
   this->End();
   return true;
 }
 
-/// The release that belongs to a press that was ours: to others it would be a click.
-bool vtkFaceToBoneSculptWidget::Rest(int button)
-{
-  const bool ours = (this->Owed & button) != 0;
-  this->Owed &= ~button;
-  return ours;
-}
-
 void vtkFaceToBoneSculptWidget::Cancel()
 {
   if (this->WidgetState == Sculpting)
     this->TakeBack();
-  this->Owed = 0;
   this->GetSculptRepresentation()->HideBrush();
 }
 

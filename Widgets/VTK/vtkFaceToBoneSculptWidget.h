@@ -18,17 +18,13 @@ struct Brush;
 /// |----------|------------------------------|----------------------------------------------------|
 /// | Start    | mouse move                   | the brush follows the skin under the cursor        |
 /// | Start    | left press on the skin       | begins a stroke -> Sculpting                       |
-/// | Start    | double click on the skin     | as a press: quick dabs are dabs                    |
 /// | Start    | left press beside it         | none: the camera turns                             |
-/// | Start    | release after a stroke that  | ours: to others it would be a click                |
-/// |          | was taken back               |                                                    |
 /// | Start    | shift + wheel                | radius                                             |
 /// | Start    | control + wheel              | strength                                           |
 /// | Start    | keys [ ]                     | radius smaller, larger                             |
 /// | Start    | keys { }                     | strength smaller, larger                           |
 /// | Start    | leave                        | hides the brush                                    |
 /// | Sculpting| mouse move                   | drags the skin, or dabs along the way              |
-/// | Sculpting| double click                 | none, and nobody else's                            |
 /// | Sculpting| left release                 | ends the stroke -> Start                           |
 /// | Sculpting| key Escape, right press      | takes the stroke back -> Start                     |
 ///
@@ -69,15 +65,12 @@ private:
   bool Move();
   bool Release();
   bool TakeBack();
-  bool Rest(int button);
   bool Wheel(double factor);
   bool ScaleRadius(double factor);
   bool ScaleStrength(double factor);
   void DabUntil(double x, double y);
   void End();
 
-  static constexpr int LeftOwed = 1, RightOwed = 2;
-  int Owed = 0; ///< releases to come that are ours
   std::unique_ptr<f2b::Brush> Brush;
   std::unique_ptr<f2b::Brush> Held; ///< of the stroke that is going on
   std::array<double, 3> Grabbed{};  ///< where the stroke began [mm, RAS]

@@ -44,32 +44,60 @@ void vtkFaceToBoneToolWidget::OnKey(int state, const std::string& symbol, Action
   this->KeyActions[{state, symbol}] = std::move(action);
 }
 
-void vtkFaceToBoneToolWidget::Dispatch(unsigned long event)
+/// Null where the table has no entry.
+const vtkFaceToBoneToolWidget::Action* vtkFaceToBoneToolWidget::Find(unsigned long event) const
 {
-  if (!this->WidgetRep || !this->CurrentRenderer)
-    return;
-  const Action* action = nullptr;
   if (event == vtkCommand::KeyPressEvent)
   {
     const char* symbol = this->Interactor->GetKeySym();
     const auto found = this->KeyActions.find({this->WidgetState, symbol ? symbol : ""});
-    action = found == this->KeyActions.end() ? nullptr : &found->second;
+    return found == this->KeyActions.end() ? nullptr : &found->second;
   }
-  else
+  const auto found = this->Actions.find({this->WidgetState, event});
+  return found == this->Actions.end() ? nullptr : &found->second;
+}
+
+/// Whether an event without an action belongs to a press that was ours.
+bool vtkFaceToBoneToolWidget::IsOwed(unsigned long event)
+{
+  switch (event)
   {
-    const auto found = this->Actions.find({this->WidgetState, event});
-    action = found == this->Actions.end() ? nullptr : &found->second;
+  case vtkCommand::LeftButtonDoubleClickEvent:
+  case vtkCommand::LeftButtonReleaseEvent:
+    return this->LeftIsOurs;
+  case vtkCommand::RightButtonReleaseEvent:
+    return this->RightIsOurs;
+  default:
+    return false;
   }
-  if (!action || !(*action)())
+}
+
+void vtkFaceToBoneToolWidget::Dispatch(unsigned long event)
+{
+  if (!this->WidgetRep || !this->CurrentRenderer)
+    return;
+  const bool owed = this->IsOwed(event);
+  const Action* action = this->Find(event);
+  if (!action && event == vtkCommand::LeftButtonDoubleClickEvent && !owed)
+    action = this->Find(vtkCommand::LeftButtonPressEvent);
+  const bool ours = action && (*action)();
+  if (event == vtkCommand::LeftButtonPressEvent || event == vtkCommand::LeftButtonReleaseEvent ||
+      (event == vtkCommand::LeftButtonDoubleClickEvent && ours))
+    this->LeftIsOurs = ours && event != vtkCommand::LeftButtonReleaseEvent;
+  if (event == vtkCommand::RightButtonPressEvent || event == vtkCommand::RightButtonReleaseEvent)
+    this->RightIsOurs = ours && event != vtkCommand::RightButtonReleaseEvent;
+  if (!ours && !owed)
     return;
   this->EventCallbackCommand->SetAbortFlag(1);
-  this->Render();
+  if (ours)
+    this->Render();
 }
 
 void vtkFaceToBoneToolWidget::SetEnabled(int enabling)
 {
   if (!enabling && this->Enabled)
     this->Cancel();
+  this->LeftIsOurs = this->RightIsOurs = false;
   this->Superclass::SetEnabled(enabling);
 }
 

@@ -10,7 +10,9 @@
 ///
 /// A subclass fills the table in its constructor with `On` and shows it in its header. An action
 /// returns whether the event was the tool's: then nobody else sees it (the camera stays), and the
-/// view is drawn anew. An event without an entry goes on to others.
+/// view is drawn anew. An event without an entry goes on to others, but for what belongs to a press that
+/// was the tool's: its release, and the double click that it is part of. To others they would be a click.
+/// A double click without an entry is a press.
 class vtkFaceToBoneToolWidget : public vtkAbstractWidget
 {
 public:
@@ -52,9 +54,12 @@ private:
   template <unsigned long Event>
   void Listen();
   void Dispatch(unsigned long event);
+  const Action* Find(unsigned long event) const;
+  bool IsOwed(unsigned long event);
 
   std::map<std::pair<int, unsigned long>, Action> Actions;
   std::map<std::pair<int, std::string>, Action> KeyActions;
+  bool LeftIsOurs = false, RightIsOurs = false; ///< buttons that were pressed for the tool
 };
 
 #endif
