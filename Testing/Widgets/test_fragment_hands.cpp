@@ -62,6 +62,9 @@ protected:
     plan->SetNodeReferenceID(Plan::GetTransformRole(method, fragment).c_str(), node->GetID());
     plan->SetMovement(method, fragment, movement.data(), reference.data());
     show(node, movement, reference);
+    auto* model = test::add_node<vtkMRMLModelNode>(scene, fragment);
+    plan->SetNodeReferenceID(Plan::GetFragmentRole(method, fragment).c_str(), model->GetID());
+    model->SetAndObserveTransformNodeID(node->GetID());
   }
   static void show(vtkMRMLLinearTransformNode* node, const Coordinates& m,
                    const std::array<double, 3>& reference)
@@ -79,13 +82,34 @@ protected:
             {m[0], m[1], m[2]},
             {reference[0], reference[1], reference[2]}};
   }
-  /// How far a transform node is from a movement, at points some centimetres away [mm].
+  /// How far a fragment is from a movement, at points some centimetres away [mm].
   double difference(int method, const char* fragment, const Coordinates& m)
+  {
+    return difference(plan->GetFragmentNode(method, fragment)->GetParentTransformNode(), method,
+                      fragment, m);
+  }
+  /// The same of the plan's result, which is not ours to move.
+  double result_moved()
+  {
+    double worst = 0;
+    for (int method = 0; method < Plan::Method_Last; ++method)
+      for (const char* fragment : {"maxilla", "chin"})
+      {
+        Coordinates m{};
+        plan->GetMovement(method, fragment, m.data());
+        if (vtkMRMLTransformNode* node = plan->GetTransformNode(method, fragment))
+          worst = std::max(worst, difference(node, method, fragment, m));
+      }
+    return worst;
+  }
+  double difference(vtkMRMLTransformNode* node, int method, const char* fragment,
+                    const Coordinates& m)
   {
     std::array<double, 3> reference{};
     plan->GetReferencePoint(method, fragment, reference.data());
     const vtkNew<vtkMatrix4x4> matrix;
-    plan->GetTransformNode(method, fragment)->GetMatrixTransformToParent(matrix);
+    if (node)
+      node->GetMatrixTransformToParent(matrix);
     double worst = 0;
     for (const Vec3& p : {Vec3(40, 0, 0), Vec3(0, 50, -20), Vec3(-10, 10, 60)})
     {
@@ -143,16 +167,19 @@ TEST_F(FragmentHands, ADragMovesTheTransformAndStatesWhatIsSeen)
   Coordinates planned{};
   plan->GetMovement(Plan::RigidFit, "maxilla", planned.data());
   EXPECT_EQ(planned, maxilla); // the plan itself stays
+  EXPECT_LT(result_moved(), 1e-9);
 }
 
 TEST_F(FragmentHands, StoppingShowsThePlanAgainAndStartingWhatWasStated)
 {
+  const int nodes = scene->GetNumberOfNodes();
   ASSERT_TRUE(hands->Start());
   stage->drag(grip(0, Osteotomy::Pitch), shifted(grip(0, Osteotomy::Pitch)));
   const Coordinates by_hand = stated("maxilla");
   EXPECT_NE(by_hand[3], maxilla[3]);
   hands->Stop();
   EXPECT_EQ(hands->GetNumberOfFragments(), 0);
+  EXPECT_EQ(scene->GetNumberOfNodes(), nodes);
   EXPECT_LT(difference(Plan::RigidFit, "maxilla", maxilla), 1e-9);
   ASSERT_TRUE(hands->Start());
   EXPECT_LT(difference(Plan::RigidFit, "maxilla", by_hand), 1e-9);
@@ -187,7 +214,8 @@ TEST_F(FragmentHands, PublishedResultsDoNotMoveWhatIsInHand)
   const Coordinates by_hand = stated("maxilla");
   {
     const MRMLNodeModifyBlocker blocker(plan); // as a step's end does
-    show(plan->GetTransformNode(Plan::RigidFit, "maxilla"), maxilla, {5, 0, -3});
+    plan->GetFragmentNode(Plan::RigidFit, "maxilla")
+        ->SetAndObserveTransformNodeID(plan->GetTransformNode(Plan::RigidFit, "maxilla")->GetID());
     plan->SetStatusText("done");
   }
   EXPECT_LT(difference(Plan::RigidFit, "maxilla", by_hand), 1e-9);
@@ -277,6 +305,22 @@ TEST_F(FragmentHeld, TransformIsDeleted)
   EXPECT_LT(difference(Plan::RigidFit, "chin", chin), 1e-9);
 }
 
+TEST_F(FragmentHeld, FragmentIsDeleted)
+{
+  begin();
+  scene->RemoveNode(plan->GetFragmentNode(Plan::RigidFit, "maxilla"));
+  go_on();
+  EXPECT_LT(difference(Plan::RigidFit, "chin", chin), 1e-9);
+}
+
+TEST_F(FragmentHeld, OurTransformIsDeleted)
+{
+  begin();
+  scene->RemoveNode(plan->GetFragmentNode(Plan::RigidFit, "maxilla")->GetParentTransformNode());
+  go_on();
+  EXPECT_LT(difference(Plan::RigidFit, "maxilla", maxilla), 1e-9);
+}
+
 TEST_F(FragmentHeld, OsteotomyIsDeleted)
 {
   begin();
@@ -317,6 +361,7 @@ TEST_F(FragmentHeld, ViewGoes)
 TEST_F(FragmentHands, RandomEventsFindNothing)
 {
   std::mt19937 random(23);
+  const int nodes = scene->GetNumberOfNodes();
   hands->Start();
   for (int k = 0; k < testing::random_event_count(); ++k)
   {
@@ -346,6 +391,8 @@ TEST_F(FragmentHands, RandomEventsFindNothing)
   hands->Stop();
   for (int method = 0; method < Plan::Method_Last; ++method)
     EXPECT_LT(difference(method, "maxilla", maxilla), 1e-9);
+  EXPECT_LT(result_moved(), 1e-9);
+  EXPECT_EQ(scene->GetNumberOfNodes(), nodes);
 }
 
 } // namespace

@@ -95,15 +95,19 @@ void vtkFaceToBoneFragmentHands::OnSceneClosed()
 void vtkFaceToBoneFragmentHands::OnNodeRemoved(vtkObject*, unsigned long, void* node)
 {
   auto* removed = static_cast<vtkObject*>(node);
-  if (!this->Plan || !removed)
+  if (!this->Plan || !removed || this->Going)
     return;
+  bool ours = removed == this->Plan->GetOsteotomyNode();
+  for (const Hand& hand : this->Hands)
+    ours = ours || removed == hand.Transform ||
+           removed == this->Plan->GetTransformNode(this->Method, hand.Fragment) ||
+           removed == this->Plan->GetFragmentNode(this->Method, hand.Fragment);
+  this->Going = removed;
   if (removed == this->Plan)
-    return this->SetPlan(nullptr);
-  if (removed == this->Plan->GetOsteotomyNode())
-    return this->Stop();
-  for (std::size_t h = 0; h < this->Hands.size(); ++h)
-    if (this->Plan->GetTransformNode(this->Method, this->Hands[h].Fragment) == removed)
-      return this->Stop(); // the plan has other results now
+    this->SetPlan(nullptr);
+  else if (ours)
+    this->Stop();
+  this->Going = nullptr;
 }
 
 /// By a step that has published its results, by the user, or by us.
@@ -112,20 +116,11 @@ void vtkFaceToBoneFragmentHands::OnPlanChanged()
   if (this->Writing || !this->Moving)
     return;
   if (this->Method != this->Plan->GetSelectedMethod())
-    this->Replace();
-  this->Update();
-}
-
-/// The fragments of the method that was selected go back to its plan.
-void vtkFaceToBoneFragmentHands::Replace()
-{
-  for (const std::string& fragment : this->Plan->GetMovementFragments(this->Method))
   {
-    Coordinates planned{};
-    if (this->Plan->GetMovement(this->Method, fragment, planned.data()))
-      this->Apply(fragment, planned);
+    this->LetGo();
+    this->Method = this->Plan->GetSelectedMethod();
   }
-  this->Method = this->Plan->GetSelectedMethod();
+  this->Update();
 }
 
 // --- Fragments
@@ -140,8 +135,9 @@ std::vector<std::string> vtkFaceToBoneFragmentHands::Movable()
   const int method = this->Moving ? this->Method : this->Plan->GetSelectedMethod();
   for (const std::string& fragment : this->Plan->GetMovementFragments(method))
   {
-    vtkMRMLLinearTransformNode* transform = this->Plan->GetTransformNode(method, fragment);
-    if (transform && !transform->GetParentTransformNode() &&
+    vtkMRMLLinearTransformNode* planned = this->Plan->GetTransformNode(method, fragment);
+    if (planned && !planned->GetParentTransformNode() &&
+        this->Plan->GetFragmentNode(method, fragment) &&
         this->Plan->GetReferencePoint(method, fragment, point))
       names.push_back(fragment);
   }
@@ -158,18 +154,55 @@ vtkFaceToBoneFragmentHands::Wanted(const std::string& fragment)
   return movement;
 }
 
-void vtkFaceToBoneFragmentHands::Apply(const std::string& fragment, const Coordinates& movement)
+/// A tool and a transform for a fragment.
+vtkFaceToBoneFragmentHands::Hand vtkFaceToBoneFragmentHands::Take(const std::string& fragment)
 {
-  vtkMRMLLinearTransformNode* transform = this->Plan->GetTransformNode(this->Method, fragment);
-  double reference[3];
-  if (!transform || !this->Plan->GetReferencePoint(this->Method, fragment, reference))
+  Hand hand{fragment, vtkSmartPointer<vtkFaceToBoneFragmentWidget>::New(), nullptr};
+  hand.Tool->SetInteractor(this->Interactor);
+  hand.Tool->SetDefaultRenderer(this->Renderer);
+  for (const unsigned long event : {vtkCommand::InteractionEvent, vtkCommand::EndInteractionEvent})
+    hand.Tool->AddObserver(event, this, &vtkFaceToBoneFragmentHands::OnTool);
+  hand.Transform =
+      vtkMRMLLinearTransformNode::SafeDownCast(this->Plan->GetScene()->AddNewNodeByClass(
+          "vtkMRMLLinearTransformNode", fragment + " by hand"));
+  return hand;
+}
+
+/// The fragment under the plan's transform again; ours goes.
+void vtkFaceToBoneFragmentHands::PutBack(const Hand& hand)
+{
+  hand.Tool->RemoveAllObservers(); // a drag that is going on counts for nothing
+  hand.Tool->SetEnabled(0);
+  hand.Tool->Render();
+  hand.Tool->SetInteractor(nullptr);
+  vtkMRMLScene* scene = hand.Transform ? hand.Transform->GetScene() : nullptr;
+  if (!scene || scene->IsClosing()) // all nodes go
     return;
-  const f2b::Mat4 m = MotionOf(movement, reference).matrix();
+  vtkMRMLModelNode* model =
+      this->Plan ? this->Plan->GetFragmentNode(this->Method, hand.Fragment) : nullptr;
+  if (model && model->GetParentTransformNode() == hand.Transform)
+  {
+    vtkMRMLNode* planned = this->Plan->GetTransformNode(this->Method, hand.Fragment);
+    model->SetAndObserveTransformNodeID(planned ? planned->GetID() : nullptr);
+  }
+  if (hand.Transform != this->Going)
+    scene->RemoveNode(hand.Transform);
+}
+
+/// Where its tool has the fragment.
+void vtkFaceToBoneFragmentHands::Apply(const Hand& hand)
+{
+  vtkMRMLModelNode* model = this->Plan->GetFragmentNode(this->Method, hand.Fragment);
+  if (!model || !hand.Transform)
+    return;
+  const Look* look = hand.Tool->GetFragmentRepresentation();
+  const f2b::Mat4 m = MotionOf(look->GetMovement(), look->GetReferencePoint().data()).matrix();
   const vtkNew<vtkMatrix4x4> matrix;
   for (int row = 0; row < 4; ++row)
     for (int column = 0; column < 4; ++column)
       matrix->SetElement(row, column, m(row, column));
-  transform->SetMatrixTransformToParent(matrix);
+  hand.Transform->SetMatrixTransformToParent(matrix);
+  model->SetAndObserveTransformNodeID(hand.Transform->GetID());
 }
 
 void vtkFaceToBoneFragmentHands::TakeRules(const Hand& hand)
@@ -200,15 +233,7 @@ void vtkFaceToBoneFragmentHands::Update()
   if (!same)
     this->LetGo();
   for (std::size_t h = this->Hands.size(); h < names.size(); ++h)
-  {
-    Hand hand{names[h], vtkSmartPointer<vtkFaceToBoneFragmentWidget>::New()};
-    hand.Tool->SetInteractor(this->Interactor);
-    hand.Tool->SetDefaultRenderer(this->Renderer);
-    for (const unsigned long event :
-         {vtkCommand::InteractionEvent, vtkCommand::EndInteractionEvent})
-      hand.Tool->AddObserver(event, this, &vtkFaceToBoneFragmentHands::OnTool);
-    this->Hands.push_back(hand);
-  }
+    this->Hands.push_back(this->Take(names[h]));
   for (const Hand& hand : this->Hands)
   {
     if (hand.Tool->GetWidgetState() != vtkFaceToBoneFragmentWidget::Start)
@@ -219,7 +244,7 @@ void vtkFaceToBoneFragmentHands::Update()
     this->Plan->GetReferencePoint(this->Method, hand.Fragment, reference.data());
     look->SetReferencePoint(reference);
     look->SetMovement(this->Wanted(hand.Fragment));
-    this->Apply(hand.Fragment, look->GetMovement());
+    this->Apply(hand);
     hand.Tool->SetEnabled(1);
     hand.Tool->Render();
   }
@@ -239,18 +264,12 @@ void vtkFaceToBoneFragmentHands::ShowFaces()
     planned->GetDisplayNode()->SetVisibility(!this->Moving);
 }
 
-/// A drag that is going on counts for nothing.
 void vtkFaceToBoneFragmentHands::LetGo()
 {
   std::vector<Hand> hands;
   hands.swap(this->Hands);
   for (const Hand& hand : hands)
-  {
-    hand.Tool->RemoveAllObservers();
-    hand.Tool->SetEnabled(0);
-    hand.Tool->Render();
-    hand.Tool->SetInteractor(nullptr);
-  }
+    this->PutBack(hand);
 }
 
 vtkFaceToBoneFragmentWidget* vtkFaceToBoneFragmentHands::GetTool(int n)
@@ -289,10 +308,7 @@ void vtkFaceToBoneFragmentHands::Stop()
   this->LetGo();
   this->Moving = false;
   if (this->Plan)
-  {
     this->ShowFaces();
-    this->Replace();
-  }
   this->Modified();
 }
 
@@ -327,7 +343,7 @@ void vtkFaceToBoneFragmentHands::OnTool(vtkObject* tool, unsigned long event, vo
     return;
   for (const Hand& hand : this->Hands)
     if (hand.Tool == tool)
-      this->Apply(hand.Fragment, hand.Tool->GetFragmentRepresentation()->GetMovement());
+      this->Apply(hand);
   if (event == vtkCommand::EndInteractionEvent)
     this->StateAll();
   this->InvokeEvent(event);

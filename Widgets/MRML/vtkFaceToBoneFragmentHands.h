@@ -20,12 +20,13 @@ class vtkRenderWindowInteractor;
 
 /// How are a plan's fragments moved by hand in a view of its host?
 ///
-/// Keeps arrows and rings (vtkFaceToBoneFragmentWidget) on each fragment that the plan has moved. A
-/// drag moves the fragment's transform node of the plan's selected method; when it ends, the places
-/// of all fragments become the plan's stated movements, which the verb Predict gives the face of.
-/// Locked coordinates and bounds of the osteotomy hold. Meanwhile the face of the stated movements is
-/// shown where it has been predicted, and the plan's is not. Stopping brings the planned places and
-/// face back; the stated movements stay.
+/// Keeps arrows and rings (vtkFaceToBoneFragmentWidget) on each fragment that the plan has moved. While
+/// they are shown, the fragments of the plan's selected method lie under transforms of ours in place of
+/// the plan's, whose files in the case folder are results. When a drag ends, the places of all fragments
+/// become the plan's stated movements, which the verb Predict gives the face of. Locked coordinates and
+/// bounds of the osteotomy hold. The face of the stated movements is shown where it has been predicted,
+/// and the plan's is not. Stopping brings the planned places and face back and removes our transforms;
+/// the stated movements stay.
 ///
 /// Invokes InteractionEvent when a fragment has moved, EndInteractionEvent when it is let go,
 /// ModifiedEvent when what can be done now has changed.
@@ -68,16 +69,18 @@ private:
   {
     std::string Fragment;
     vtkSmartPointer<vtkFaceToBoneFragmentWidget> Tool;
+    vtkWeakPointer<vtkMRMLLinearTransformNode> Transform; ///< ours
   };
 
   std::vector<std::string> Movable();
   Coordinates Wanted(const std::string& fragment);
-  void Apply(const std::string& fragment, const Coordinates& movement);
+  Hand Take(const std::string& fragment);
+  void PutBack(const Hand& hand);
+  void Apply(const Hand& hand);
   void TakeRules(const Hand& hand);
   void Update();
   void ShowFaces();
   void LetGo();
-  void Replace();
   void StateAll();
 
   void OnTool(vtkObject* tool, unsigned long event, void*);
@@ -93,6 +96,7 @@ private:
   std::vector<Hand> Hands;
   int Method = 0;
   bool Moving = false, Writing = false;
+  vtkObject* Going = nullptr; ///< the node that is being removed from the scene
 };
 
 #endif
