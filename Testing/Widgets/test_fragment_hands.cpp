@@ -255,6 +255,19 @@ TEST_F(FragmentHands, AnotherMethodIsTakenInHand)
   EXPECT_LT(difference(Plan::VirtualForce, "maxilla", by_hand), 1e-9);
 }
 
+/// As a brush does that lies under the arrows.
+TEST_F(FragmentHands, ArrowsAreTakenBeforeAToolBehindThem)
+{
+  vtkNew<vtkFaceToBoneFragmentWidget> other; // at the usual priority, and there first
+  other->GetFragmentRepresentation()->SetReferencePoint({5, 0, -3});
+  other->GetFragmentRepresentation()->SetMovement(maxilla);
+  stage->use(other);
+  ASSERT_TRUE(hands->Start());
+  stage->drag(grip(0, Osteotomy::Superior), shifted(grip(0, Osteotomy::Superior)));
+  EXPECT_NE(stated("maxilla"), maxilla);
+  EXPECT_EQ(other->GetFragmentRepresentation()->GetMovement(), maxilla);
+}
+
 TEST_F(FragmentHands, WhatIsInTheWayIsSaid)
 {
   vtkNew<vtkFaceToBoneFragmentHands> other;

@@ -137,8 +137,10 @@ TEST_F(SkinSculpting, TargetIsShownInsteadOfTheSkinAndMayBeColoured)
   sculpting->SetColoured(true);
   EXPECT_STREQ(target->GetDisplayNode()->GetActiveScalarName(), "displacement_mm");
   EXPECT_TRUE(target->GetDisplayNode()->GetScalarVisibility());
+  EXPECT_TRUE(sculpting->IsColoured());
   sculpting->SetColoured(false);
   EXPECT_FALSE(target->GetDisplayNode()->GetScalarVisibility());
+  EXPECT_FALSE(sculpting->IsColoured());
 }
 
 TEST_F(SkinSculpting, UndoAndRedoAreExactToTheBit)

@@ -158,6 +158,7 @@ vtkFaceToBoneFragmentHands::Wanted(const std::string& fragment)
 vtkFaceToBoneFragmentHands::Hand vtkFaceToBoneFragmentHands::Take(const std::string& fragment)
 {
   Hand hand{fragment, vtkSmartPointer<vtkFaceToBoneFragmentWidget>::New(), nullptr};
+  hand.Tool->SetPriority(0.6F); // before a brush, where the two overlap
   hand.Tool->SetInteractor(this->Interactor);
   hand.Tool->SetDefaultRenderer(this->Renderer);
   for (const unsigned long event : {vtkCommand::InteractionEvent, vtkCommand::EndInteractionEvent})

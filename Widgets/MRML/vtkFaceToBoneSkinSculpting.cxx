@@ -494,6 +494,13 @@ void vtkFaceToBoneSkinSculpting::SetColoured(bool coloured)
   display->SetScalarVisibility(coloured);
 }
 
+bool vtkFaceToBoneSkinSculpting::IsColoured()
+{
+  vtkMRMLDisplayNode* display = this->Target ? this->Target->GetDisplayNode() : nullptr;
+  const char* name = display ? display->GetActiveScalarName() : nullptr;
+  return name && display->GetScalarVisibility() && name == std::string(Look::LengthArray);
+}
+
 void vtkFaceToBoneSkinSculpting::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

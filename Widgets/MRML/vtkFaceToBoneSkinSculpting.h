@@ -74,6 +74,7 @@ public:
   void InvertMask();
   /// The target coloured by how far it has moved along its normal, within 10 mm either way.
   void SetColoured(bool coloured);
+  bool IsColoured();
 
   /// For hosts that do more with it; null before Start.
   f2b::SculptingSession* GetSession() { return this->Session.get(); }

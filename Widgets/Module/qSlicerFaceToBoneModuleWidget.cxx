@@ -156,7 +156,7 @@ void qSlicerFaceToBoneModuleWidgetPrivate::makeTools()
                    [tool]() { tool->ClearMask(); });
   QObject::connect(this->InvertMaskButton, &QPushButton::clicked, q,
                    [tool]() { tool->InvertMask(); });
-  QObject::connect(this->ColourTargetCheck, &QCheckBox::toggled, q,
+  QObject::connect(this->ColourTargetCheck, &QCheckBox::clicked, q,
                    [tool](bool on) { tool->SetColoured(on); });
   vtkFaceToBoneFragmentHands* hands = this->Tools->hands();
   QObject::connect(this->HandCheck, &QCheckBox::clicked, this->Tools,
@@ -179,6 +179,7 @@ void qSlicerFaceToBoneModuleWidgetPrivate::showTools()
        {static_cast<QWidget*>(this->ClearMaskButton), static_cast<QWidget*>(this->InvertMaskButton),
         static_cast<QWidget*>(this->ColourTargetCheck)})
     control->setEnabled(tool->GetSession() != nullptr);
+  this->ColourTargetCheck->setChecked(tool->IsColoured());
   this->SculptStatus->setText(this->Tools->sculptingText());
   vtkFaceToBoneFragmentHands* hands = this->Tools->hands();
   this->HandCheck->setEnabled(hands->IsMoving() || hands->GetObstacle().empty());
