@@ -102,6 +102,7 @@ QWidget* qFaceToBoneBrushPanel::makeSettings()
   auto* form = new QFormLayout(group);
   form->setContentsMargins(0, 0, 0, 0);
   m_radius = qFaceToBoneUnitSpin(f2b::Brush::least_radius_mm, f2b::Brush::most_radius_mm, 15, "mm");
+  m_radius->setObjectName("radius");
   m_radius->setToolTip(qFaceToBoneToolTip(tr("How far the brush reaches along the skin"),
                                           tr("10 to 25 mm; [ and ], or Shift and wheel"),
                                           tr("geodesic radius")));
@@ -116,9 +117,8 @@ QWidget* qFaceToBoneBrushPanel::makeSettings()
       qFaceToBoneToolTip(tr("How it fades towards its border"), tr("Smooth"), tr("falloff curve")));
   m_symmetric = new QCheckBox(tr("Both sides alike"));
   m_symmetric->setChecked(true);
-  m_symmetric->setToolTip(qFaceToBoneToolTip(tr("Does the same on the other side"),
-                                             tr("On, unless the face is asymmetric"),
-                                             tr("mid-sagittal symmetry")));
+  m_symmetric->setObjectName("symmetric");
+  setMiddleGuessed(false);
   m_frontOnly = new QCheckBox(tr("Only skin that is seen"));
   m_frontOnly->setChecked(true);
   m_frontOnly->setToolTip(
@@ -139,6 +139,17 @@ QWidget* qFaceToBoneBrushPanel::makeSettings()
 bool qFaceToBoneBrushPanel::isSymmetric() const
 {
   return m_symmetric->isChecked();
+}
+
+void qFaceToBoneBrushPanel::setMiddleGuessed(bool guessed)
+{
+  m_symmetric->setText(guessed ? tr("Both sides alike (middle guessed)") : tr("Both sides alike"));
+  m_symmetric->setToolTip(qFaceToBoneToolTip(
+      guessed ? tr("Does the same on the other side of a middle that is guessed from the skin")
+              : tr("Does the same on the other side"),
+      guessed ? tr("Landmarks N, Or_R and Or_L say it better")
+              : tr("On, unless the face is asymmetric"),
+      tr("mid-sagittal symmetry")));
 }
 
 bool qFaceToBoneBrushPanel::isSculpting() const

@@ -34,6 +34,8 @@ public:
   /// No brush, when the host cannot sculpt any more.
   void stopSculpting();
   bool isSymmetric() const;
+  /// Says beside "Both sides alike" whether the middle is known or only guessed from the skin.
+  void setMiddleGuessed(bool guessed);
 
 signals:
   void brushChanged();

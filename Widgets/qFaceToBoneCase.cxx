@@ -196,6 +196,7 @@ void qFaceToBoneCase::load(bool meshIsNew)
     m_objects.remove(rawBoneKey);
     showSurface("skin", tr("Face before"), f2b::read_surface(file("skin.vtp")), {235, 186, 161}, 1,
                 false);
+    m_document->guessed.reset();
     loadSculpting();
     loadCuts();
     findRides();

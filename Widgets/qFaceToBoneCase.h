@@ -134,8 +134,9 @@ public:
   QStringList faceLandmarks() const;
   /// Moves the face at a landmark by so much [mm, RAS]; the face within the radius follows smoothly.
   bool moveLandmark(const QString& name, const std::array<double, 3>& by, double radiusMm);
-  /// Mid-sagittal by the landmarks N, Or_R and Or_L; without them the middle of the skin.
+  /// Mid-sagittal by the landmarks N, Or_R and Or_L; without them guessed from the skin's symmetry.
   f2b::SymmetryPlane symmetryPlane() const;
+  bool isSymmetryGuessed() const;
   /// The face at a point is dragged by a smooth warp, as one stroke; with a plane on both sides.
   void beginDrag(const std::array<double, 3>& point, double radiusMm, bool bothSides);
   void drag(const std::array<double, 3>& by);
@@ -200,6 +201,7 @@ private:
   Movement allowed(Movement movement) const;
   void requireCuts() const;
   nlohmann::json documentFor(Step step) const;
+  f2b::SymmetryPlane guessedSymmetry(vtkPolyData* skin) const;
   void findRides();
   void prepareLive();
   void showPlan(const f2b::FollowedPlan& plan);

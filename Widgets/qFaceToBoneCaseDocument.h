@@ -16,7 +16,8 @@ struct qFaceToBoneCase::Document
 {
   nlohmann::json json;
   std::string source;
-  f2b::Landmarks landmarks; ///< at rest; empty where the case has none
+  f2b::Landmarks landmarks;                  ///< at rest; empty where the case has none
+  std::optional<f2b::SymmetryPlane> guessed; ///< of the skin that is loaded, once it was asked for
 };
 
 struct qFaceToBoneCase::Drag

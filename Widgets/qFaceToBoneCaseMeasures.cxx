@@ -1,10 +1,12 @@
 #include "qFaceToBoneCaseDocument.h"
 
+#include <Bridge/json_file.hpp>
 #include <Bridge/vtk_surface.hpp>
 #include <Case/live_plan.hpp>
 #include <Core/error.hpp>
 #include <Core/geometry/cephalometry.hpp>
 #include <Core/geometry/nearest_vertex.hpp>
+#include <Core/sculpting/mirror_plane.hpp>
 #include <Core/sculpting/sculpting_session.hpp>
 
 #include <vtkPolyData.h>
@@ -27,6 +29,19 @@ std::vector<f2b::CephalometricMeasure> measuresOf(const f2b::Landmarks& landmark
   catch (const f2b::Error&)
   {
     return {};
+  }
+}
+
+/// None without N, Or_R or Or_L.
+std::optional<f2b::MidSagittalPlane> middleOf(const f2b::Landmarks& landmarks)
+{
+  try
+  {
+    return f2b::mid_sagittal_plane(landmarks);
+  }
+  catch (const f2b::Error&)
+  {
+    return std::nullopt;
   }
 }
 
@@ -85,15 +100,9 @@ std::vector<qFaceToBoneCase::Measure> qFaceToBoneCase::measures() const
 {
   std::vector<Measure> all;
   const f2b::Landmarks& rest = m_document->landmarks;
-  f2b::MidSagittalPlane plane;
-  try
-  {
-    plane = f2b::mid_sagittal_plane(rest);
-  }
-  catch (const f2b::Error&) // without N, Or_R or Or_L there is no side to look from
-  {
+  const auto plane = middleOf(rest);
+  if (!plane) // there is no side to look from
     return all;
-  }
   f2b::Landmarks moved = rest;
   for (const Ride& ride : m_rides)
     if (m_plan && ride.vertex >= 0)
@@ -101,7 +110,7 @@ std::vector<qFaceToBoneCase::Measure> qFaceToBoneCase::measures() const
     else if (m_plan && ride.fragment >= 0)
       moved[ride.landmark] =
           m_plan->motions.at(static_cast<std::size_t>(ride.fragment)).apply(moved[ride.landmark]);
-  const auto before = measuresOf(rest, plane), after = measuresOf(moved, plane);
+  const auto before = measuresOf(rest, *plane), after = measuresOf(moved, *plane);
   for (const f2b::CephalometricMeasure& m : before)
   {
     Measure measure{QString::fromStdString(m.name), QString::fromStdString(m.unit),
@@ -114,19 +123,38 @@ std::vector<qFaceToBoneCase::Measure> qFaceToBoneCase::measures() const
   return all;
 }
 
+bool qFaceToBoneCase::isSymmetryGuessed() const
+{
+  return !middleOf(m_document->landmarks);
+}
+
 f2b::SymmetryPlane qFaceToBoneCase::symmetryPlane() const
 {
+  if (const auto plane = middleOf(m_document->landmarks))
+    return {plane->point, plane->normal};
+  std::optional<f2b::SymmetryPlane>& guessed = m_document->guessed;
+  const qFaceToBoneObject* skin = m_objects.find("skin");
+  if (!guessed && skin)
+    guessed = guessedSymmetry(skin->surface);
+  return guessed.value_or(f2b::SymmetryPlane{});
+}
+
+/// As it was found with the skin; looked for here in folders that do not tell it.
+f2b::SymmetryPlane qFaceToBoneCase::guessedSymmetry(vtkPolyData* skin) const
+{
   f2b::SymmetryPlane symmetry;
-  try
+  skin->GetCenter(symmetry.point.data());
+  const auto told = has("segment.json") ? f2b::read_json(file("segment.json")) : nlohmann::json();
+  if (const auto guess = told.find("midline_guess"); guess == told.end())
   {
-    const f2b::MidSagittalPlane plane = f2b::mid_sagittal_plane(m_document->landmarks);
-    symmetry.point = plane.point;
-    symmetry.normal = plane.normal;
+    if (const auto found = f2b::mirror_plane(f2b::to_triangle_mesh(skin)))
+      symmetry = found->plane;
   }
-  catch (const f2b::Error&)
-  {
-    if (const qFaceToBoneObject* skin = m_objects.find("skin"))
-      skin->surface->GetCenter(symmetry.point.data());
-  }
+  else if (guess->is_object())
+    for (int k = 0; k < 3; ++k)
+    {
+      symmetry.point[k] = guess->at("point_ras").at(static_cast<std::size_t>(k)).get<double>();
+      symmetry.normal[k] = guess->at("normal_ras").at(static_cast<std::size_t>(k)).get<double>();
+    }
   return symmetry;
 }

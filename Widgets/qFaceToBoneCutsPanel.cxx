@@ -200,6 +200,7 @@ void qFaceToBoneCutsPanel::makeNumbers(QFormLayout* form)
   for (QWidget* number : {m_kerf, m_depth, m_overrun, m_density})
     number->setMinimumWidth(60);
   auto* sizes = new QHBoxLayout;
+  sizes->setSpacing(6);
   sizes->addWidget(m_kerf, 1);
   sizes->addWidget(new QLabel(tr("Depth")));
   sizes->addWidget(m_depth, 1);

@@ -53,6 +53,7 @@ qFaceToBonePlanPanel::qFaceToBonePlanPanel(qFaceToBoneCase* work, QWidget* paren
   m_notes->setStyleSheet("color:#7a4a00");
   auto* parts = new QVBoxLayout(this);
   parts->setContentsMargins(4, 4, 4, 4);
+  m_hand->setObjectName("hand");
   m_hand->setToolTip(qFaceToBoneToolTip(tr("Arrows and rings in the 3D view; the face follows"),
                                         tr("Drag; with Ctrl in steps of 0.5"),
                                         tr("forward prediction")));

@@ -35,7 +35,7 @@ qFaceToBoneSculptPanel::qFaceToBoneSculptPanel(qFaceToBoneCase* work, QWidget* p
   connect(m_case, &qFaceToBoneCase::loaded, this, &qFaceToBoneSculptPanel::updateLandmarks);
   connect(m_case, &qFaceToBoneCase::landmarksChanged, this,
           &qFaceToBoneSculptPanel::updateLandmarks);
-  readControls();
+  updateLandmarks();
 }
 
 qFaceToBoneSculptPanel::~qFaceToBoneSculptPanel() = default;
@@ -46,6 +46,7 @@ QWidget* qFaceToBoneSculptPanel::makeLandmarkMove()
   auto* grid = new QGridLayout(group);
   m_landmark = new QComboBox;
   m_landmark->setMinimumWidth(60);
+  m_landmark->setObjectName("landmark");
   m_landmark->setToolTip(qFaceToBoneToolTip(tr("The point of the face that moves"),
                                             tr("sn: subnasale; Pg': chin"),
                                             tr("soft-tissue landmark")));
@@ -54,6 +55,7 @@ QWidget* qFaceToBoneSculptPanel::makeLandmarkMove()
   for (int k = 0; k < 3; ++k)
   {
     m_move[k] = qFaceToBoneUnitSpin(-40, 40, 0, "mm", 0.5);
+    m_move[k]->setObjectName(QString("move_%1").arg(axes[k]));
     m_move[k]->setToolTip(qFaceToBoneToolTip(tr("How far it goes %1").arg(tr(axes[k])),
                                              tr("4 mm forward"), tr("R, A, S")));
     grid->addWidget(new QLabel(tr(axes[k])), 1, k);
@@ -162,6 +164,7 @@ void qFaceToBoneSculptPanel::updateLandmarks()
   m_landmark->addItems(m_case->faceLandmarks());
   const int sn = m_landmark->findText("sn");
   m_landmark->setCurrentIndex(sn >= 0 ? sn : 0);
+  m_brushes->setMiddleGuessed(m_case->isSymmetryGuessed());
   readControls();
 }
 

@@ -309,7 +309,8 @@ def sanitizers(tier):
 def window_events(tier):
     """10 000 random events for each 3D tool, under ASan and UBSan, and for the window at the step of the cuts."""
     root = here.parent.parent
-    for command in (["cmake", "--preset", "asan"], ["cmake", "--build", "--preset", "asan", "--target", "test_tools"]):
+    for command in (["cmake", "--preset", "asan"],
+                    ["cmake", "--build", "--preset", "asan", "--target", "test_tools", "test_cuts", "test_main_window"]):
         subprocess.run(command, cwd=root, capture_output=True, text=True, check=True)
     # the drivers of OpenGL keep what they have until the program ends
     done = subprocess.run([root / ".build" / "asan" / "Testing" / "Widgets" / "test_tools", "--gtest_filter=*Random*"],
@@ -898,6 +899,43 @@ def window_pictures(tier):
     return rows
 
 
+def window_tutorial(tier):
+    """What tutorial.md says, done by the words on the window's buttons."""
+    os.environ["FACETOBONE_PROGRAM"] = str(tier.program)
+    told = told_by(tier, "window_tutorial", tier.work / "window-tutorial")
+    for fault in told["clipped"] + told["unnamed"]:
+        print(f"tutorial: {fault}", flush=True)
+    return [("pictures, to be looked at", told["pictures"], ">= 28", told["pictures"] >= 28),
+            ("clipped words", len(told["clipped"]), "0", not told["clipped"]),
+            ("controls without a name", len(told["unnamed"]), "0", not told["unnamed"])]
+
+
+def window_speed(tier):
+    """A dab of each brush on 100 000 vertices, and from the window's start to the first image of the sample case."""
+    told = json.loads(subprocess.run([tier.tool("Benchmarks/benchmark_sculpting"), "--benchmark_format=json",
+                                      "--benchmark_filter=/316/"], capture_output=True, text=True, check=True).stdout)
+    rows = [(f"{b['name']} of {b.get('vertices', 316 ** 2):.0f} vertices, processor [ms]", b["cpu_time"], "<= 16", b["cpu_time"] <= 16)
+            for b in told["benchmarks"]]
+    patient, folder = tier.work / "speed-patient", tier.work / "speed-case"
+    if not folder.exists():
+        tier.run("sample", "-o", patient)
+        tier.run("run", patient / "case.json", "-o", folder)
+    for name, case in (("CT", patient / "ct.nrrd"), ("planned", folder)):
+        begin = time.monotonic()
+        window = subprocess.Popen(["xvfb-run", "-a", tier.program.parent / "FaceToBone", "--time-first-image", case],
+                                  stdout=subprocess.PIPE, text=True,
+                                  env=dict(os.environ, XDG_CONFIG_HOME=str(tier.work / "settings")))
+        line = window.stdout.readline()
+        seconds = time.monotonic() - begin
+        window.communicate()
+        print(f"sample patient, {name}: {line.strip()}", flush=True)
+        own = re.search(r"after ([\d.]+) s", line)
+        rows.append((f"sample patient, {name}: first image, with the display's own start [s]", seconds, "printed", bool(own)))
+        if own:
+            rows.append((f"sample patient, {name}: first image after [s]", float(own[1]), "<= 3", float(own[1]) <= 3))
+    return rows
+
+
 CHECKS = {
     "cthead_unc": lambda tier: real_ct(tier, "cthead_unc"),
     "phantom_imagex": lambda tier: real_ct(tier, "phantom_imagex"),
@@ -924,6 +962,8 @@ CHECKS = {
     "benchmarks": benchmarks,
     "scenes": scenes,
     "window_pictures": window_pictures,
+    "window_tutorial": window_tutorial,
+    "window_speed": window_speed,
     "sanitizers": sanitizers,
     "window_events": window_events,
 }

@@ -1,5 +1,7 @@
-#include "Widgets/desktop_stage.hpp"
+#include "window_driver.hpp"
 
+#include "qFaceToBoneCut.h"
+#include "qFaceToBoneCutTools.h"
 #include "qFaceToBoneLandmarksPanel.h"
 #include "qFaceToBonePointTools.h"
 #include "qFaceToBoneRulers.h"
@@ -7,6 +9,7 @@
 #include "qFaceToBoneThreeDView.h"
 
 #include <Bridge/json_file.hpp>
+#include <Bridge/markups.hpp>
 #include <Case/case_settings.hpp>
 #include <Core/sculpting/sculpting_session.hpp>
 
@@ -20,6 +23,7 @@
 #include <QToolButton>
 
 #include <vtkCommand.h>
+#include <vtkPolyData.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
@@ -39,115 +43,9 @@ namespace
 {
 
 using nlohmann::json;
+using testing::Photographer;
+using testing::Surgeon;
 using testing::wait_until;
-
-class Photographer
-{
-public:
-  explicit Photographer(QString folder) : m_folder(std::move(folder)) { QDir().mkpath(m_folder); }
-
-  void take(qFaceToBoneMainWindow& window, const char* name)
-  {
-    for (const QSize size : {QSize(1920, 1080), QSize(1366, 768)})
-    {
-      window.resize(size);
-      wait_until([&] { return window.size() == size; }, 5);
-      window.threeDView()->fit();
-      for (int k = 0; k < 12; ++k) // outlines of slices wait a little
-        QCoreApplication::processEvents(QEventLoop::AllEvents, 50);
-      QElapsedTimer since;
-      since.start();
-      wait_until([&] { return since.elapsed() > 400; }, 1);
-      if (!window.grab().save(QString("%1/%2_%3.png").arg(m_folder, name).arg(size.width())))
-        throw std::runtime_error("a picture cannot be written");
-      ++m_taken;
-      look_for_faults(window, QString("%1_%2").arg(name).arg(size.width()));
-    }
-  }
-  json told() const
-  {
-    return {{"pictures", m_taken}, {"clipped", m_clipped}, {"unnamed", m_unnamed}};
-  }
-
-private:
-  /// Words that do not fit their widget, and controls that say nothing of themselves.
-  void look_for_faults(qFaceToBoneMainWindow& window, const QString& where)
-  {
-    for (QWidget* widget : window.findChildren<QWidget*>())
-    {
-      if (!widget->isVisible())
-        continue;
-      const auto* label = qobject_cast<QLabel*>(widget);
-      const auto* button = qobject_cast<QAbstractButton*>(widget);
-      const QString text = label ? label->text() : button ? button->text() : QString();
-      const int needed = label && label->wordWrap() ? label->heightForWidth(label->width()) : 0;
-      const int line = label ? widget->minimumSizeHint().width()
-                             : widget->fontMetrics().horizontalAdvance(text) + 6;
-      const bool narrow = !(label && label->wordWrap()) && widget->width() < line;
-      if (!text.isEmpty() && (narrow || widget->height() + 1 < needed))
-        m_clipped.push_back((where + ": " + text).toStdString());
-      if (button && text.isEmpty() && button->icon().isNull() && button->toolTip().isEmpty() &&
-          !button->inherits("QTabBar") && !QString(button->objectName()).startsWith("qt_"))
-        m_unnamed.push_back((where + ": " + button->metaObject()->className()).toStdString());
-    }
-  }
-
-  QString m_folder;
-  int m_taken = 0;
-  std::vector<std::string> m_clipped, m_unnamed;
-};
-
-class Surgeon
-{
-public:
-  Surgeon(qFaceToBoneMainWindow& window, Photographer& photographer)
-      : m_window(window), m_photographer(photographer)
-  {
-  }
-
-  void run(qFaceToBoneCase::Step step)
-  {
-    std::string message;
-    const auto seen =
-        QObject::connect(work()->task(), &qFaceToBoneTask::ended,
-                         [&](bool, const QString& text) { message = text.toStdString(); });
-    wait_until([&] { return work()->state(step).possible; }, 900);
-    if (!work()->start(step))
-      message = work()->error().toStdString();
-    wait_until([&] { return !work()->task()->isRunning(); }, 1800);
-    QObject::disconnect(seen);
-    if (!message.empty())
-      throw std::runtime_error(message);
-  }
-  void settle()
-  {
-    wait_until([&] { return !work()->background()->isRunning(); }, 1800);
-  }
-  void show(qFaceToBoneCase::Step step, const char* name)
-  {
-    m_window.steps()->setCurrentStep(step);
-    m_photographer.take(m_window, name);
-  }
-  void tab(int index, const char* name)
-  {
-    auto* tabs = m_window.findChild<QTabWidget*>("tabs");
-    tabs->setCurrentIndex(index);
-    m_photographer.take(m_window, name);
-    tabs->setCurrentIndex(0);
-  }
-  template <class Control>
-  Control* find(const char* name)
-  {
-    return m_window.findChild<Control*>(name);
-  }
-  qFaceToBoneCase* work() { return m_window.work(); }
-  Photographer& photographer() { return m_photographer; }
-  qFaceToBoneMainWindow& window() { return m_window; }
-
-private:
-  qFaceToBoneMainWindow& m_window;
-  Photographer& m_photographer;
-};
 
 /// A CT alone: what is seen at once, and what it says of landmarks that are not there.
 json bare_ct(Surgeon& s, const QString& ct)
@@ -218,6 +116,47 @@ json time_of_a_move(Surgeon& s)
           {"vertices", s.work()->sculpting()->skin().size()}};
 }
 
+/// A genioplasty, clicked on the bone below the canines from border to border; and a nerve near it.
+void draw_chin(Surgeon& s)
+{
+  qFaceToBoneCuts* cuts = s.work()->cuts();
+  const Vec3 middle = 0.5 * (s.landmark("B") + s.landmark("Pg"));
+  s.window().threeDView()->setPreset(qFaceToBoneThreeDView::Frontal);
+  QCoreApplication::processEvents();
+  if (!s.window().cutTools()->startDrawing(false))
+    throw std::runtime_error("no line can be drawn");
+  for (const Vec3& at : s.chin_line())
+    s.click(at);
+  s.photographer().take(s.window(), "3_line_drawing");
+  const int drawn = cuts->count();
+  if (!s.window().cutTools()->finishDrawing() || cuts->count() != drawn + 1 ||
+      !cuts->rename(drawn, "chin"))
+    throw std::runtime_error("the line became no cut");
+  cuts->setDepth(drawn, 40);
+  s.photographer().take(s.window(), "3_line");
+  PointMarkup nerve{"Curve", {}};
+  const Vec3 foramen = middle + Vec3(21, -6, 4), angle = s.landmark("Go_R") + Vec3(-6, 12, 14);
+  for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0})
+    nerve.points.push_back({"", foramen + t * (angle - foramen)});
+  const Path file = Path(s.work()->folder().toStdString()).parent_path() / "nerve_right.mrk.json";
+  write_points(file, nerve);
+  if (!cuts->addSpared(QString::fromStdString(file.string())))
+    throw std::runtime_error(cuts->error().toStdString());
+  s.window().threeDView()->setPreset(qFaceToBoneThreeDView::ThreeQuarter);
+  s.photographer().take(s.window(), "3_nerve");
+}
+
+/// Gizmos, and the rules of the first piece.
+void by_hand(Surgeon& s)
+{
+  s.settle();
+  s.find<QCheckBox>("hand")->setChecked(true);
+  s.find<QToolButton>("rules")->setChecked(true);
+  s.photographer().take(s.window(), "5_by_hand");
+  s.find<QToolButton>("rules")->setChecked(false);
+  s.find<QCheckBox>("hand")->setChecked(false);
+}
+
 json whole_way(Surgeon& s)
 {
   s.run(qFaceToBoneCase::Surfaces);
@@ -225,6 +164,7 @@ json whole_way(Surgeon& s)
   s.window().steps()->setCurrentStep(qFaceToBoneCase::Cuts);
   s.find<QCheckBox>("planes")->setChecked(true);
   s.photographer().take(s.window(), "3_cuts_placed");
+  draw_chin(s);
   s.run(qFaceToBoneCase::Cuts);
   s.window().steps()->setCurrentStep(qFaceToBoneCase::Cuts);
   s.find<QCheckBox>("planes")->setChecked(false);
@@ -258,6 +198,7 @@ json whole_way(Surgeon& s)
   s.find<QSlider>("split")->setValue(50);
   s.photographer().take(s.window(), "6_split");
   s.find<QSlider>("split")->setValue(100);
+  by_hand(s);
   const auto a = s.work()->landmarkOnFace("prn"), b = s.work()->landmarkOnFace("Pg'"),
              c = s.work()->landmarkOnFace("sn");
   s.work()->rulers()->add({a, b});

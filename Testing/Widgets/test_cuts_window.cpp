@@ -53,60 +53,8 @@ protected:
     window->steps()->setCurrentStep(qFaceToBoneCase::Cuts);
     look_from(qFaceToBoneThreeDView::Frontal);
   }
-  void look_from(qFaceToBoneThreeDView::Preset preset)
-  {
-    window->threeDView()->setPreset(preset);
-    for (int k = 0; k < 5; ++k)
-      QCoreApplication::processEvents();
-  }
   qFaceToBoneCuts* cuts() { return work()->cuts(); }
   const qFaceToBoneCut& cut(int k) { return cuts()->all().at(std::size_t(k)); }
-  QWidget* view() { return window->threeDView(); }
-  /// Where a point is seen, in the 3D view's own pixels.
-  QPoint pixel(const Vec3& p)
-  {
-    vtkRenderer* renderer = window->threeDView()->mainRenderer();
-    renderer->SetWorldPoint(p.x(), p.y(), p.z(), 1);
-    renderer->WorldToDisplay();
-    const double* d = renderer->GetDisplayPoint();
-    return {int(d[0]), view()->height() - 1 - int(d[1])};
-  }
-  QPoint pixel(const std::array<double, 3>& p) { return pixel(Vec3(p.data())); }
-  /// Straight to the view: QTest moves the pointer of the display, and its events come when they like.
-  void send(QEvent::Type type, const QPoint& at, Qt::MouseButton button = Qt::NoButton,
-            Qt::KeyboardModifiers keys = {})
-  {
-    if (type == QEvent::MouseButtonRelease)
-      m_buttons &= ~Qt::MouseButtons(button);
-    else
-      m_buttons |= button;
-    QMouseEvent event(type, at, view()->mapToGlobal(at), button, m_buttons, keys);
-    QApplication::sendEvent(view(), &event);
-  }
-  void move(const QPoint& at) { send(QEvent::MouseMove, at); }
-  void press(const QPoint& at)
-  {
-    move(at);
-    send(QEvent::MouseButtonPress, at, Qt::LeftButton);
-  }
-  void release(const QPoint& at)
-  {
-    move(at);
-    send(QEvent::MouseButtonRelease, at, Qt::LeftButton);
-    QCoreApplication::processEvents();
-  }
-  void click(const QPoint& at)
-  {
-    press(at);
-    release(at);
-  }
-  void drag(const QPoint& from, const QPoint& by)
-  {
-    press(from);
-    for (int k = 1; k <= 4; ++k)
-      move(from + by * k / 4);
-    release(from + by);
-  }
   template <class Widget>
   Widget* part(const char* name)
   {
@@ -121,7 +69,6 @@ protected:
         return action->trigger();
     FAIL() << what;
   }
-  void trigger(const char* action) { window->menuBar()->findChild<QAction*>(action)->trigger(); }
   void show_tools() { part<QCheckBox>("planes")->setChecked(true); }
   const qFaceToBoneCutTools::Part& tool(int cut, int index, bool plane)
   {
@@ -160,28 +107,8 @@ protected:
     for (const Vec3& p : chin_line())
       click(pixel(p));
   }
-  void picture(const char* name)
-  {
-    const QByteArray wanted = qgetenv("FACETOBONE_SCREENSHOTS");
-    if (wanted.isEmpty())
-      return;
-    for (const QSize size : {QSize(1920, 1080), QSize(1366, 768)})
-    {
-      window->resize(size);
-      wait_until([&] { return window->size() == size; }, 5);
-      window->threeDView()->fit();
-      for (int k = 0; k < 10; ++k)
-        QCoreApplication::processEvents(QEventLoop::AllEvents, 50);
-      QDir().mkpath(wanted);
-      EXPECT_TRUE(window->grab().save(
-          QString("%1/%2_%3.png").arg(wanted.constData(), name).arg(size.width())));
-    }
-  }
 
   Landmarks landmarks;
-
-private:
-  Qt::MouseButtons m_buttons;
 };
 
 TEST_F(CutsWindow, ALineClickedOnTheBoneBecomesACut)

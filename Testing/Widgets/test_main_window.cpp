@@ -12,6 +12,7 @@
 #include <Bridge/json_file.hpp>
 #include <Bridge/markups.hpp>
 #include <Case/verbs.hpp>
+#include <Core/geometry/cephalometry.hpp>
 #include <Core/sculpting/sculpting_session.hpp>
 
 #include <QCheckBox>
@@ -52,10 +53,9 @@ protected:
   void sculpt_nose()
   {
     choose_brush("Elastic");
-    drag(pixel_of(nose_tip()) - QPoint(4, 0), QPoint(12, 0));
+    drag(pixel(work()->sculpting()->skin().points()[nose_tip()]) - QPoint(4, 0), QPoint(12, 0));
   }
   std::vector<Vec3> displacement() { return work()->sculpting()->skin().displacement(); }
-  void trigger(const char* action) { window->menuBar()->findChild<QAction*>(action)->trigger(); }
 
   /// Opens a copy of the patient.
   void open_patient()
@@ -66,62 +66,6 @@ protected:
         << work()->error().toStdString();
   }
   qFaceToBoneCase::StepState state(qFaceToBoneCase::Step step) { return work()->state(step); }
-
-  /// Where a vertex of the face is seen, in the 3D view's own pixels.
-  QPoint pixel_of(std::size_t vertex)
-  {
-    return pixel_of(work()->sculpting()->skin().points()[vertex]);
-  }
-  QPoint pixel_of(const Vec3& p)
-  {
-    vtkRenderer* renderer = window->threeDView()->mainRenderer();
-    renderer->SetWorldPoint(p.x(), p.y(), p.z(), 1);
-    renderer->WorldToDisplay();
-    const double* d = renderer->GetDisplayPoint();
-    return {int(d[0]), window->threeDView()->height() - 1 - int(d[1])};
-  }
-  std::size_t nose_tip()
-  {
-    const auto& points = work()->sculpting()->skin().points();
-    return static_cast<std::size_t>(std::max_element(points.begin(), points.end(),
-                                                     [](const Vec3& a, const Vec3& b)
-                                                     { return a.y() < b.y(); }) -
-                                    points.begin());
-  }
-  void choose_brush(const char* text)
-  {
-    for (QToolButton* button : window->findChildren<QToolButton*>())
-      if (button->text() == text)
-        button->click();
-  }
-  void drag(const QPoint& from, const QPoint& by)
-  {
-    QWidget* view = window->threeDView();
-    QTest::mouseMove(view, from);
-    QTest::mousePress(view, Qt::LeftButton, {}, from);
-    for (int k = 1; k <= 4; ++k)
-      QTest::mouseMove(view, from + by * k / 4);
-    QTest::mouseRelease(view, Qt::LeftButton, {}, from + by);
-    QCoreApplication::processEvents();
-  }
-  /// Pictures of the window for people, where FACETOBONE_SCREENSHOTS names a folder.
-  void picture(const char* name)
-  {
-    const QByteArray wanted = qgetenv("FACETOBONE_SCREENSHOTS");
-    if (wanted.isEmpty())
-      return;
-    for (const QSize size : {QSize(1920, 1080), QSize(1366, 768)})
-    {
-      window->resize(size);
-      wait_until([&] { return window->size() == size; }, 5);
-      window->threeDView()->fit();
-      for (int k = 0; k < 10; ++k)
-        QCoreApplication::processEvents(QEventLoop::AllEvents, 50);
-      QDir().mkpath(wanted);
-      EXPECT_TRUE(window->grab().save(
-          QString("%1/%2_%3.png").arg(wanted.constData(), name).arg(size.width())));
-    }
-  }
 };
 
 TEST_F(MainWindow, StartsWithAWelcomeAndNothingToDoButOpen)
@@ -255,6 +199,30 @@ TEST_F(MainWindow, BareCtIsShownAtOnceAndAsksForLandmarks)
   EXPECT_FALSE(state(qFaceToBoneCase::Target).possible) << "there is no target to take";
   EXPECT_TRUE(work()->measures().empty());
 
+  // the face is its own mirror image in a plane that is guessed, until landmarks say it
+  const MidSagittalPlane middle =
+      mid_sagittal_plane(read_landmarks(patient / "landmarks.mrk.json"));
+  const auto expect_near_middle = [&](double mm, double degrees)
+  {
+    const SymmetryPlane plane = work()->symmetryPlane();
+    EXPECT_GT(plane.normal.dot(middle.normal), std::cos(degrees * std::acos(-1.0) / 180));
+    EXPECT_LT(std::abs((middle.point - plane.point).dot(middle.normal)), mm);
+  };
+  auto* symmetric = window->findChild<QCheckBox*>("symmetric");
+  EXPECT_TRUE(work()->isSymmetryGuessed());
+  EXPECT_TRUE(symmetric->text().contains("guessed")) << symmetric->text().toStdString();
+  EXPECT_TRUE(symmetric->toolTip().contains("Or_R"));
+  expect_near_middle(2, 3);
+  const auto told = Path(work()->folder().toStdString()) / "segment.json";
+  nlohmann::json untold = read_json(told);
+  ASSERT_TRUE(untold.at("midline_guess").is_object());
+  untold.erase("midline_guess"); // as older cases are
+  write_json(told, untold);
+  const QString begun = work()->folder();
+  work()->close();
+  ASSERT_TRUE(window->open(begun));
+  expect_near_middle(2, 3);
+
   // one placed with the mouse, one at the crosshair, the others from a file
   window->steps()->setCurrentStep(qFaceToBoneCase::Surfaces);
   window->threeDView()->setPreset(qFaceToBoneThreeDView::Frontal);
@@ -262,11 +230,9 @@ TEST_F(MainWindow, BareCtIsShownAtOnceAndAsksForLandmarks)
   QCoreApplication::processEvents();
   window->landmarksPanel()->setCurrent("Pg");
   window->findChild<QPushButton*>("placeLandmark")->click();
-  QWidget* view = window->threeDView();
   const Landmarks true_landmarks = read_landmarks(patient / "landmarks.mrk.json");
-  const QPoint chin = pixel_of(true_landmarks.at("Pg"));
-  QTest::mouseMove(view, chin);
-  QTest::mouseClick(view, Qt::LeftButton, {}, chin);
+  const QPoint chin = pixel(true_landmarks.at("Pg"));
+  click(chin);
   Vec3 placed = Vec3::Zero();
   for (const auto& landmark : work()->landmarks())
     if (landmark.name == "Pg" && landmark.placed)
@@ -277,6 +243,9 @@ TEST_F(MainWindow, BareCtIsShownAtOnceAndAsksForLandmarks)
   ASSERT_TRUE(
       work()->loadLandmarks(QString::fromStdString((patient / "landmarks.mrk.json").string())));
   EXPECT_TRUE(work()->missingLandmarks().isEmpty());
+  EXPECT_FALSE(work()->isSymmetryGuessed());
+  EXPECT_FALSE(symmetric->text().contains("guessed"));
+  expect_near_middle(1e-9, 1e-3);
   EXPECT_TRUE(state(qFaceToBoneCase::Cuts).possible);
   ASSERT_EQ(work()->cuts()->count(), 1);
   EXPECT_FALSE(work()->measures().empty());
@@ -311,10 +280,9 @@ TEST_F(MainWindow, RulersAreKeptAndCanBeRemoved)
 {
   open_segmented();
   window->findChild<QPushButton*>("distance")->click();
-  QWidget* view = window->threeDView();
-  const QPoint nose = pixel_of(nose_tip());
+  const QPoint nose = pixel(work()->sculpting()->skin().points()[nose_tip()]);
   for (const QPoint& at : {nose - QPoint(20, 0), nose + QPoint(-70, 60)})
-    QTest::mouseClick(view, Qt::LeftButton, {}, at);
+    click(at);
   ASSERT_EQ(work()->rulers()->all().size(), 1u);
   const auto points = work()->rulers()->all()[0].points;
   ASSERT_EQ(points.size(), 2u);
@@ -324,7 +292,7 @@ TEST_F(MainWindow, RulersAreKeptAndCanBeRemoved)
   EXPECT_TRUE(object->name.startsWith("Distance ")) << object->name.toStdString();
   window->findChild<QPushButton*>("angle")->click();
   for (const QPoint& at : {nose - QPoint(20, 0), nose + QPoint(-70, 60), nose + QPoint(-90, 90)})
-    QTest::mouseClick(view, Qt::LeftButton, {}, at);
+    click(at);
   ASSERT_EQ(work()->rulers()->all().size(), 2u);
 
   const QString opened = work()->folder();
@@ -346,7 +314,7 @@ TEST_F(MainWindow, LandmarkHandleDragsTheFaceOnBothSides)
   QCoreApplication::processEvents();
   const auto before = displacement();
   const auto at = work()->landmarkOnFace("prn");
-  const QPoint nose = pixel_of(Vec3(at[0], at[1], at[2]));
+  const QPoint nose = pixel(at);
   drag(nose, QPoint(20, 0)); // seen from the right: forward is to the right
   const auto now = work()->landmarkOnFace("prn");
   EXPECT_GT(now[1] - at[1], 2);
@@ -452,7 +420,7 @@ TEST_F(MainWindow, SampleCaseFromCtToReport)
   wait_until([] { return true; }, 1);
   QCoreApplication::processEvents();
   choose_brush("Elastic");
-  drag(pixel_of(nose) - QPoint(4, 0), QPoint(12, 0));
+  drag(pixel(work()->sculpting()->skin().points()[nose]) - QPoint(4, 0), QPoint(12, 0));
   const Vec3 after = work()->sculpting()->skin().displacement()[nose];
   EXPECT_GT((after - before).y(), 1) << "the brush did not reach the nose";
   EXPECT_TRUE(work()->hasUnsavedChanges());

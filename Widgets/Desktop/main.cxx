@@ -1,3 +1,4 @@
+#include "qFaceToBoneCase.h"
 #include "qFaceToBoneMainWindow.h"
 #include "qFaceToBoneThreeDView.h"
 
@@ -28,8 +29,8 @@ int main(int argc, char** argv)
                                    "device.");
   parser.addHelpOption();
   parser.addVersionOption();
-  parser.addPositionalArgument("case", "Case folder, case.mrml or case file (JSON)", "[case]");
-  parser.addOption({"time-first-image", "Print the seconds until the case is seen, and end"});
+  parser.addPositionalArgument("case", "Case folder, case.mrml, case file (JSON) or CT", "[case]");
+  parser.addOption({"time-first-image", "Print the seconds until the case or CT is seen, and end"});
   parser.process(application);
   QElapsedTimer since;
   since.start();
@@ -39,7 +40,11 @@ int main(int argc, char** argv)
     window.open(parser.positionalArguments().first());
   if (parser.isSet("time-first-image"))
   {
-    QCoreApplication::processEvents();
+    qFaceToBoneCase* work = window.work();
+    do // a case in which nothing has been found yet is seen when its CT has been read
+      QCoreApplication::processEvents(QEventLoop::AllEvents);
+    while (work->objects()->all().empty() &&
+           (work->task()->isRunning() || work->background()->isRunning()));
     window.threeDView()->renderWindow()->Render();
     timespec spent{};
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &spent);

@@ -8,6 +8,7 @@
 #include "qFaceToBoneMeasuresPanel.h"
 #include "qFaceToBoneObjectsPanel.h"
 #include "qFaceToBonePlanPanel.h"
+#include "qFaceToBonePointTools.h"
 #include "qFaceToBoneSculptPanel.h"
 #include "qFaceToBoneSliceView.h"
 #include "qFaceToBoneStepsPanel.h"
@@ -72,7 +73,7 @@ qFaceToBoneMainWindow::qFaceToBoneMainWindow(QWidget* parent)
           [this]
           {
             const auto session = m_case->sculpting();
-            if (session && !session->in_stroke())
+            if (!session || !session->in_stroke())
               saveAll();
           });
   const QSettings settings;
@@ -86,6 +87,7 @@ qFaceToBoneMainWindow::~qFaceToBoneMainWindow()
   // they speak of the case while they let go of what is held, and it would be gone first
   delete m_cutTools;
   delete m_boneTools;
+  delete m_pointTools;
   m_tool->SetInteractor(nullptr);
 }
 
