@@ -214,7 +214,12 @@ qFaceToBoneCut qFaceToBoneReadCut(const json& settings, const f2b::Landmarks& la
       for (const f2b::BoundedPlane& plane : f2b::read_planes(file.get<std::string>()))
         cut.planes.push_back(plane);
     for (const json& curve : settings.value("curves", json::array()))
+    {
       cut.curves.push_back(curveFrom(curve));
+      std::string& name = cut.curves.back().saw.name;
+      if (name.rfind("drawn_", 0) == 0) // one of our files, which no one else knows
+        name = cut.fragment + " line " + std::to_string(cut.curves.size());
+    }
     cut.pointPlaced = settings.contains("fragment_point_ras");
     if (cut.pointPlaced)
       cut.point = pointFrom(settings.at("fragment_point_ras"));

@@ -9,6 +9,18 @@
 
 using nlohmann::json;
 
+namespace
+{
+
+/// Parts that are called after their piece go with its name.
+void renamePart(std::string& part, const std::string& from, const std::string& to)
+{
+  if (part.rfind(from + " line ", 0) == 0 || part.rfind(from + " plane ", 0) == 0)
+    part.replace(0, from.size(), to);
+}
+
+} // namespace
+
 /// The wish, or the wish with the first number that makes it a name of its own.
 std::string qFaceToBoneCuts::freeName(const std::string& wish) const
 {
@@ -141,7 +153,12 @@ bool qFaceToBoneCuts::rename(int index, const QString& fragment)
   const bool sameFile = f2b::file_part(name) == f2b::file_part(old);
   if (!sameFile && freeName(name) != name)
     return fail(tr("Another piece is called '%1'; choose another name").arg(fragment));
-  editable(index)->fragment = name;
+  qFaceToBoneCut* renamed = editable(index);
+  renamed->fragment = name;
+  for (f2b::BoundedPlane& plane : renamed->planes)
+    renamePart(plane.name, old, name);
+  for (qFaceToBoneCutCurve& curve : renamed->curves)
+    renamePart(curve.saw.name, old, name);
   for (qFaceToBoneCut& cut : m_now->cuts)
     if (cut.movement.is_object() && cut.movement.contains("bite") &&
         cut.movement["bite"].value("with", std::string()) == old)

@@ -164,6 +164,8 @@ TEST_F(Cuts, WhatIsWrittenIsReadBack)
   curve.settle();
   cuts.setCurve(1, 0, curve);
   ASSERT_TRUE(cuts.addCurve(line(), {3, 55, -6}, false));
+  ASSERT_TRUE(cuts.rename(2, "chin"));
+  EXPECT_EQ(cut(2).curves.at(0).saw.name, "chin line 1");
   const json document = written();
   load(document);
   ASSERT_EQ(cuts.count(), 3);
@@ -177,6 +179,7 @@ TEST_F(Cuts, WhatIsWrittenIsReadBack)
   for (std::size_t k = 0; k < curve.handles.size(); ++k)
     EXPECT_LT((cut(1).curves[0].handles[k] - curve.handles[k]).norm(), 1e-9);
   const qFaceToBoneCutCurve& drawn = cut(2).curves.at(0);
+  EXPECT_EQ(drawn.saw.name, "chin line 1");
   EXPECT_TRUE(drawn.onBone);
   ASSERT_EQ(drawn.handles.size(), 3u); // not the points between
   EXPECT_LT((drawn.handles[1] - Vec3(0, 64, 2)).norm(), 1e-9);
