@@ -330,10 +330,14 @@ void qFaceToBoneThreeDView::fitCamera()
     }
     const int panes = m_layout == Compare ? 3 : 1;
     const double aspect = double(std::max(1, width())) / std::max(1, panes * height());
+    const double room = m_bar->GetVisibility() ? 0.16 : 0; // of the height, below: for the bar
+    const double scale = 1.03 * std::max(high / (1 - room), across / aspect);
+    for (int k = 0; k < 3; ++k)
+      middle[k] -= room * scale * up[k];
     camera->SetFocalPoint(middle);
     camera->SetPosition(middle[0] - 500 * towards[0], middle[1] - 500 * towards[1],
                         middle[2] - 500 * towards[2]);
-    camera->SetParallelScale(1.03 * std::max(high, across / aspect));
+    camera->SetParallelScale(scale);
   }
   for (const Pane& pane : m_panes)
     pane.renderer->ResetCameraClippingRange();
