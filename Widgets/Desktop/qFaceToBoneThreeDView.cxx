@@ -332,8 +332,9 @@ void qFaceToBoneThreeDView::fitCamera()
     const double aspect = double(std::max(1, width())) / std::max(1, panes * height());
     const double room = m_bar->GetVisibility() ? 0.16 : 0; // of the height, below: for the bar
     const double scale = 1.03 * std::max(high / (1 - room), across / aspect);
-    for (int k = 0; k < 3; ++k)
-      middle[k] -= room * scale * up[k];
+    const double raised = std::max(0.0, high - (1 - 2 * room) * scale);
+    for (int k = 0; k < 3 && room > 0; ++k)
+      middle[k] -= raised * up[k];
     camera->SetFocalPoint(middle);
     camera->SetPosition(middle[0] - 500 * towards[0], middle[1] - 500 * towards[1],
                         middle[2] - 500 * towards[2]);
