@@ -77,13 +77,22 @@ protected:
     look_from(qFaceToBoneThreeDView::Right);
     if (tool == Ruler)
       work()->rulers()->add({work()->landmarkOnFace("prn"), work()->landmarkOnFace("Pg'")});
-    const QPoint at = tool == Brush   ? nose()
-                      : tool == Ruler ? pixel(work()->rulers()->all().back().points[1])
-                                      : pixel(work()->landmarkOnFace("prn"));
+    const QPoint at = tool == Brush    ? nose()
+                      : tool == Ruler  ? pixel(work()->rulers()->all().back().points[1])
+                      : tool == Handle ? pixel(work()->landmarkOnFace("prn"))
+                                       : pixel(landmark("prn"));
     press(at);
     move(at + QPoint(7, 0));
     EXPECT_TRUE(is_held(tool)) << tool;
     return at + QPoint(9, 2);
+  }
+  /// Where it is placed, on the face before.
+  std::array<double, 3> landmark(const QString& name)
+  {
+    for (const auto& landmark : work()->landmarks())
+      if (landmark.name == name)
+        return landmark.at;
+    return {};
   }
   bool is_held(Tool tool)
   {
