@@ -125,7 +125,7 @@ std::vector<qFaceToBoneCase::Measure> qFaceToBoneCase::measures() const
 
 bool qFaceToBoneCase::isSymmetryGuessed() const
 {
-  return !middleOf(m_document->landmarks);
+  return m_objects.find("skin") && !middleOf(m_document->landmarks);
 }
 
 f2b::SymmetryPlane qFaceToBoneCase::symmetryPlane() const
