@@ -169,6 +169,12 @@ TEST(CaseSettings, UnknownKeysAreNamedWithASuggestion)
   refused(with("/solver", {{"x", 1}}), {"'/solver/x'", "known keys here: ", "threads"});
 }
 
+TEST(CaseSettings, KeysWithLineBreaksAreRefusedInOneLine)
+{
+  refused(with("/target", {{"from_movement", {{"a\nb", json::object()}}}}),
+          {"\"a\\nb\"", "control character"});
+}
+
 TEST(CaseSettings, WrongTypesAreNamedWithTheValue)
 {
   refused(with("/ct", 7), {"'/ct' is 7", "give string"});
