@@ -170,6 +170,7 @@ void qFaceToBoneCase::showSurface(const QString& key, const QString& name, vtkPo
 /// Reads what the folder holds.
 void qFaceToBoneCase::load(bool meshIsNew)
 {
+  saveSculpted(); // strokes that were made while a step ran: the face is read again below
   if (meshIsNew)
   {
     ++m_generation;
