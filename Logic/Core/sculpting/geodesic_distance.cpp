@@ -32,7 +32,8 @@ double across(const Vec3& a, const Vec3& b, const Vec3& c, double da, double db)
   const double crossing = source_x + (x - source_x) * source_y / (source_y + y);
   if (crossing < 0 || crossing > length)
     return none;
-  return std::hypot(x - source_x, y + source_y);
+  const double dx = x - source_x, dy = y + source_y;
+  return std::sqrt(dx * dx + dy * dy);
 }
 
 /// Corners of all triangles that a place lies in: two on an edge, more on a vertex. One of them alone
@@ -69,7 +70,7 @@ GeodesicDistance::GeodesicDistance(const SurfaceLinks& links)
 void GeodesicDistance::offer(int vertex, double distance)
 {
   const auto v = static_cast<std::size_t>(vertex);
-  if (distance > m_limit_mm || !(distance < m_distance[v]) || m_state[v] == State::Final)
+  if (distance > m_limit_mm || !(distance < m_distance[v]))
     return;
   if (m_state[v] == State::Far)
     m_touched.push_back(vertex);
@@ -87,15 +88,20 @@ void GeodesicDistance::spread(const std::vector<Vec3>& points, int vertex)
   for (const int t : m_links.triangles_of(vertex))
   {
     const Triangle& corners = m_links.triangles()[static_cast<std::size_t>(t)];
-    const auto k = static_cast<std::size_t>(std::find(corners.begin(), corners.end(), vertex) -
-                                            corners.begin());
-    const int others[2] = {corners[(k + 1) % 3], corners[(k + 2) % 3]};
+    const int k = corners[0] == vertex ? 0 : corners[1] == vertex ? 1 : 2;
+    const int others[2] = {corners[k == 2 ? 0 : k + 1], corners[k == 0 ? 2 : k - 1]};
+    if (m_state[static_cast<std::size_t>(others[0])] == State::Final &&
+        m_state[static_cast<std::size_t>(others[1])] == State::Final)
+      continue;
     for (int i = 0; i < 2; ++i)
     {
       const int a = others[i], b = others[1 - i];
-      offer(a, distance(vertex) + (at(a) - at(vertex)).norm());
+      if (m_state[static_cast<std::size_t>(a)] == State::Final)
+        continue;
+      double found = distance(vertex) + (at(a) - at(vertex)).norm();
       if (m_state[static_cast<std::size_t>(b)] == State::Final)
-        offer(a, across(at(vertex), at(b), at(a), distance(vertex), distance(b)));
+        found = std::min(found, across(at(vertex), at(b), at(a), distance(vertex), distance(b)));
+      offer(a, found);
     }
   }
 }

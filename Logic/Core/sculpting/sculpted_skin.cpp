@@ -2,7 +2,7 @@
 
 #include "Core/error.hpp"
 
-#include <algorithm>
+#include <utility>
 
 namespace f2b
 {
@@ -66,19 +66,17 @@ void SculptedSkin::set(int v, const SkinVertex& state)
 
 void SculptedSkin::settle(const std::vector<int>& moved)
 {
-  std::vector<int> triangles, vertices;
+  // marks, not sorting: a large brush moves half the face
+  std::vector<char> is_changed(m_mesh.triangles.size(), 0), is_near(m_mesh.points.size(), 0);
+  std::vector<int> triangles;
   for (const int v : moved)
     for (const int t : m_links.triangles_of(v))
-      triangles.push_back(t);
-  std::sort(triangles.begin(), triangles.end());
-  triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+      if (!std::exchange(is_changed[static_cast<std::size_t>(t)], 1))
+        triangles.push_back(t);
   for (const int t : triangles)
     for (const int v : m_mesh.triangles[static_cast<std::size_t>(t)])
-      vertices.push_back(v);
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-  for (const int v : vertices)
-    compute_normal(v);
+      if (!std::exchange(is_near[static_cast<std::size_t>(v)], 1))
+        compute_normal(v);
   m_tree.update(triangles);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <numeric>
+#include <utility>
 
 namespace f2b
 {
@@ -152,36 +153,22 @@ bool SurfaceTree::fit_parent(Node& node) const
 
 void SurfaceTree::update(const std::vector<int>& triangles)
 {
-  std::vector<int> level;
-  for (const int t : triangles)
-    level.push_back(m_leaf_of[static_cast<std::size_t>(t)]);
-  std::sort(level.begin(), level.end());
-  level.erase(std::unique(level.begin(), level.end()), level.end());
-  std::vector<int> changed;
-  for (const int leaf : level)
-    if (fit_leaf(m_nodes[static_cast<std::size_t>(leaf)]))
-      changed.push_back(m_nodes[static_cast<std::size_t>(leaf)].parent);
-  // a parent's index is below its children's: from the highest down each is fitted once
-  std::make_heap(changed.begin(), changed.end());
-  while (!changed.empty())
+  std::vector<char> is_fitted(m_nodes.size(), 0), is_stale(m_nodes.size(), 0);
+  const auto report = [&](const Node& changed)
   {
-    std::pop_heap(changed.begin(), changed.end());
-    const int index = changed.back();
-    changed.pop_back();
-    while (!changed.empty() && changed.front() == index)
-    {
-      std::pop_heap(changed.begin(), changed.end());
-      changed.pop_back();
-    }
-    if (index < 0)
-      continue;
-    Node& node = m_nodes[static_cast<std::size_t>(index)];
-    if (fit_parent(node) && node.parent >= 0)
-    {
-      changed.push_back(node.parent);
-      std::push_heap(changed.begin(), changed.end());
-    }
+    if (changed.parent >= 0)
+      is_stale[static_cast<std::size_t>(changed.parent)] = 1;
+  };
+  for (const int t : triangles)
+  {
+    const auto leaf = static_cast<std::size_t>(m_leaf_of[static_cast<std::size_t>(t)]);
+    if (!std::exchange(is_fitted[leaf], 1) && fit_leaf(m_nodes[leaf]))
+      report(m_nodes[leaf]);
   }
+  // a parent's index is below its children's: from the highest down each is fitted once
+  for (std::size_t n = m_nodes.size(); n-- > 0;)
+    if (is_stale[n] && fit_parent(m_nodes[n]))
+      report(m_nodes[n]);
 }
 
 /// T. Moeller and B. Trumbore, J. Graphics Tools 2 (1997) 21.
