@@ -192,6 +192,8 @@ TEST(MaterialFile, MissingKeysAndFilesAreNamed)
                {"tabel1-stable", "no such", "nazari-2011, table1-stable, table1"});
   expect_error([&] { read_materials(folder.write("list.json", "[]")); },
                {"list.json", "array, not an object"});
+  expect_error([&] { read_materials(folder.write("break.json", R"({"\nas": {}})")); },
+               {"break.json", "\\nas is not a known key"});
   expect_error([&] { read_materials(folder.write("nan.json", R"({"units": NaN})")); },
                {"nan.json", "line 1"});
 }
