@@ -42,11 +42,7 @@ void refuse_unknown_keys(const Entry& entry, const Words& known)
 {
   for (const auto& [key, value] : entry.object.items())
     if (std::find(known.begin(), known.end(), key) == known.end())
-    {
-      const std::string quoted = json(key).dump(); // a line break in it stays on the line
-      entry.refuse(entry.path_of(quoted.substr(1, quoted.size() - 2)) + " is not a known key",
-                   hint_for(key, known));
-    }
+      entry.refuse(entry.path_of(key) + " is not a known key", hint_for(key, known));
 }
 
 double number(const Entry& entry, const std::string& key)

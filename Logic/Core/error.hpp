@@ -14,6 +14,26 @@ enum class ErrorKind
   Numerical, ///< exit 3: the computation did not reach an answer
 };
 
+/// A text as it can stand in one line of a terminal: line breaks and other control characters, which
+/// may come from a file, are written out.
+inline std::string one_line(const std::string& text)
+{
+  std::string line;
+  for (const char c : text)
+  {
+    const auto code = static_cast<unsigned char>(c);
+    if (c == '\n')
+      line += "\\n";
+    else if (c == '\t')
+      line += "\\t";
+    else if (code < 0x20 || code == 0x7f)
+      line += {'\\', 'x', "0123456789abcdef"[code >> 4], "0123456789abcdef"[code & 15]};
+    else
+      line += c;
+  }
+  return line;
+}
+
 /// An error in one line: `subject: problem; remedy`.
 class Error : public std::runtime_error
 {
@@ -23,7 +43,7 @@ public:
   /// \param remedy   what the user can do about it
   Error(const std::string& subject, const std::string& problem, const std::string& remedy,
         ErrorKind kind = ErrorKind::BadInput)
-      : std::runtime_error(subject + ": " + problem + "; " + remedy), m_kind(kind)
+      : std::runtime_error(one_line(subject + ": " + problem + "; " + remedy)), m_kind(kind)
   {
   }
 

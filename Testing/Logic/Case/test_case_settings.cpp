@@ -171,8 +171,8 @@ TEST(CaseSettings, UnknownKeysAreNamedWithASuggestion)
 
 TEST(CaseSettings, KeysWithLineBreaksAreRefusedInOneLine)
 {
-  refused(with("/target", {{"from_movement", {{"a\nb", json::object()}}}}),
-          {"\"a\\nb\"", "control character"});
+  refused(with("/target", {{"from_movement", {{"a\nb", json::object()}}}}), {"a\\nb"});
+  refused(with("/mesh", {{"a\nb", 1}}), {"'/mesh/a\\nb'"});
 }
 
 TEST(CaseSettings, WrongTypesAreNamedWithTheValue)
