@@ -7,6 +7,7 @@
 #include "Core/error.hpp"
 #include "Core/geometry/face_regions.hpp"
 #include "Core/geometry/osteotomy_templates.hpp"
+#include "Imaging/volume_name.hpp"
 
 #include <algorithm>
 #include <cstdlib>
@@ -290,15 +291,10 @@ RigidMotion StatedMovement::about(const Vec3& reference_point) const
 
 json read_case(const Path& file)
 {
-  std::string kind = file.extension().string();
-  std::transform(kind.begin(), kind.end(), kind.begin(),
-                 [](unsigned char c) { return std::tolower(c); });
   const bool folder = std::filesystem::is_directory(file);
   if (folder && std::filesystem::exists(file / "case.json"))
     throw Error(file.string(), "it is a case folder", "give its case.json");
-  static const std::set<std::string> images = {".nrrd", ".nhdr", ".mha", ".mhd",
-                                               ".nii",  ".gz",   ".dcm"};
-  if (!folder && !images.count(kind))
+  if (!folder && volume_format(file) == VolumeFormat::None)
     return read_json(file);
   return {{"schema", "facetobone-case/1"}, {"ct", std::filesystem::absolute(file).string()}};
 }

@@ -2,11 +2,10 @@
 
 #include "Imaging/read_ct.hpp"
 #include "Imaging/resample_ct.hpp"
+#include "Imaging/volume_name.hpp"
 #include "Meshing/isosurface.hpp"
 
-#include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <fstream>
 
@@ -76,14 +75,7 @@ bool may_be_ct(const fs::path& path)
         return true;
     return false;
   }
-  std::string name = path.filename().string();
-  std::transform(name.begin(), name.end(), name.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  for (const std::string ending : {".nrrd", ".nhdr", ".mha", ".mhd", ".nii", ".nii.gz", ".dcm"})
-    if (name.size() > ending.size() &&
-        name.compare(name.size() - ending.size(), ending.size(), ending) == 0)
-      return true;
-  return is_dicom_file(path);
+  return volume_format(path) != VolumeFormat::None || is_dicom_file(path);
 }
 
 } // namespace f2b

@@ -5,6 +5,7 @@
 #include "Imaging/grey_values.hpp"
 #include "Imaging/quiet_streams.hpp"
 #include "Imaging/volume_header.hpp"
+#include "Imaging/volume_name.hpp"
 #include "Imaging/voxel_buffer.hpp"
 
 #include <itkMetaImageIO.h>
@@ -20,37 +21,23 @@ namespace
 
 namespace fs = std::filesystem;
 
-bool ends_with(const std::string& text, const std::string& end)
-{
-  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
-}
-
-std::string lower_name(const fs::path& path)
-{
-  std::string name = path.filename().string();
-  std::transform(name.begin(), name.end(), name.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return name;
-}
-
 /// The reader for a file's name, after the checks that ITK leaves out; null for other names.
 itk::ImageIOBase::Pointer checked_reader(const fs::path& path)
 {
-  const std::string name = lower_name(path);
-  if (ends_with(name, ".nrrd") || ends_with(name, ".nhdr"))
+  switch (volume_format(path))
   {
+  case VolumeFormat::Nrrd:
     check_nrrd(path);
     return itk::NrrdImageIO::New().GetPointer();
-  }
-  if (ends_with(name, ".mha") || ends_with(name, ".mhd"))
-  {
+  case VolumeFormat::MetaImage:
     check_meta_image(path);
     return itk::MetaImageIO::New().GetPointer();
-  }
-  if (ends_with(name, ".nii") || ends_with(name, ".nii.gz"))
-  {
+  case VolumeFormat::Nifti:
     check_nifti(path);
     return itk::NiftiImageIO::New().GetPointer();
+  case VolumeFormat::Dicom:
+  case VolumeFormat::None:
+    break;
   }
   return nullptr;
 }
@@ -129,7 +116,7 @@ fs::path dicom_folder_of(const fs::path& path)
 {
   if (fs::is_directory(path))
     return path;
-  if (lower_name(path).find(".dcm") != std::string::npos || !path.has_extension())
+  if (volume_format(path) == VolumeFormat::Dicom || !path.has_extension())
     return fs::absolute(path).parent_path();
   return {};
 }
