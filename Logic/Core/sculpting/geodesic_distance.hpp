@@ -37,14 +37,31 @@ private:
     Final,
   };
   void offer(int vertex, double distance);
+  void join_front();
+  void open_bucket();
   void spread(const std::vector<Vec3>& points, int vertex);
 
+  /// A triangle at a vertex, by its other two corners. An edge belongs to the triangle that it is
+  /// the first of; at a rim, or where triangles disagree about their orientation, to both.
+  struct Opposite
+  {
+    int next, previous;
+    bool has_edge_to_previous;
+  };
+
   const SurfaceLinks& m_links;
+  std::vector<std::size_t> m_ring_start;
+  std::vector<Opposite> m_ring; ///< vertex by vertex
   double m_limit_mm = 0;
   std::vector<double> m_distance;
   std::vector<State> m_state;
   std::vector<int> m_touched;
-  std::vector<NearVertex> m_front; ///< a heap; a vertex may be in it more than once
+  std::vector<int> m_offered; ///< since the front has advanced; more than once if ever less
+  /// Vertices that are farther than the bucket at hand, by distance: only that one is a heap. A
+  /// vertex may be there more than once.
+  std::vector<std::vector<NearVertex>> m_buckets;
+  std::size_t m_bucket = 0;
+  std::vector<NearVertex> m_front; ///< the heap
   std::vector<NearVertex> m_reached;
 };
 

@@ -34,11 +34,22 @@ TriangleMesh displaced(TriangleMesh mesh, const std::vector<Vec3>& displacement)
 SculptedSkin::SculptedSkin(TriangleMesh reference, std::vector<Vec3> displacement)
     : m_mesh(displaced(reference, displacement)), m_rest(std::move(reference.points)),
       m_displacement(std::move(displacement)), m_normals(m_rest.size(), Vec3::Zero()),
-      m_mask(m_rest.size(), 0.0), m_links(m_rest.size(), m_mesh.triangles), m_tree(m_mesh)
+      m_triangle_normals(m_mesh.triangles.size()), m_mask(m_rest.size(), 0.0),
+      m_links(m_rest.size(), m_mesh.triangles), m_tree(m_mesh)
 {
   m_displacement.resize(m_rest.size(), Vec3::Zero());
+  for (std::size_t t = 0; t < m_triangle_normals.size(); ++t)
+    compute_triangle_normal(t);
   for (std::size_t v = 0; v < size(); ++v)
     compute_normal(static_cast<int>(v));
+}
+
+void SculptedSkin::compute_triangle_normal(std::size_t t)
+{
+  const Triangle& c = m_mesh.triangles[t];
+  const Vec3& a = points()[static_cast<std::size_t>(c[0])];
+  m_triangle_normals[t] = (points()[static_cast<std::size_t>(c[1])] - a)
+                              .cross(points()[static_cast<std::size_t>(c[2])] - a);
 }
 
 /// Mean of the triangles' normals, weighted by area.
@@ -46,12 +57,7 @@ void SculptedSkin::compute_normal(int v)
 {
   Vec3 sum = Vec3::Zero();
   for (const int t : m_links.triangles_of(v))
-  {
-    const Triangle& c = m_mesh.triangles[static_cast<std::size_t>(t)];
-    const Vec3& a = points()[static_cast<std::size_t>(c[0])];
-    sum += (points()[static_cast<std::size_t>(c[1])] - a)
-               .cross(points()[static_cast<std::size_t>(c[2])] - a);
-  }
+    sum += m_triangle_normals[static_cast<std::size_t>(t)];
   const double length = sum.norm();
   m_normals[static_cast<std::size_t>(v)] = length > 0 ? Vec3(sum / length) : Vec3(Vec3::Zero());
 }
@@ -72,7 +78,10 @@ void SculptedSkin::settle(const std::vector<int>& moved)
   for (const int v : moved)
     for (const int t : m_links.triangles_of(v))
       if (!std::exchange(is_changed[static_cast<std::size_t>(t)], 1))
+      {
         triangles.push_back(t);
+        compute_triangle_normal(static_cast<std::size_t>(t));
+      }
   for (const int t : triangles)
     for (const int v : m_mesh.triangles[static_cast<std::size_t>(t)])
       if (!std::exchange(is_near[static_cast<std::size_t>(v)], 1))

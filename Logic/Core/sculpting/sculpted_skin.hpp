@@ -53,10 +53,12 @@ public:
   Vec3 displacement_at(const SurfacePlace& place) const;
 
 private:
+  void compute_triangle_normal(std::size_t t);
   void compute_normal(int v);
 
   TriangleMesh m_mesh;
   std::vector<Vec3> m_rest, m_displacement, m_normals;
+  std::vector<Vec3> m_triangle_normals; ///< as long as twice the triangle's area
   std::vector<double> m_mask;
   SurfaceLinks m_links;
   SurfaceTree m_tree;

@@ -296,6 +296,9 @@ void SculptingSession::end_stroke()
     return;
   m_stroking = false;
   Stroke stroke{m_name, {}, {}, {}};
+  stroke.vertices.reserve(m_touched.size());
+  stroke.before.reserve(m_touched.size());
+  stroke.after.reserve(m_touched.size());
   for (std::size_t i = 0; i < m_touched.size(); ++i)
   {
     const int v = m_touched[i];

@@ -71,7 +71,8 @@ Vec3 nearest_weights(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p)
 } // namespace
 
 SurfaceTree::SurfaceTree(const TriangleMesh& mesh)
-    : m_mesh(mesh), m_order(mesh.triangles.size()), m_leaf_of(mesh.triangles.size())
+    : m_mesh(mesh), m_order(mesh.triangles.size()), m_leaf_triangles(mesh.triangles.size()),
+      m_leaf_of(mesh.triangles.size())
 {
   assert(!mesh.triangles.empty());
   std::iota(m_order.begin(), m_order.end(), 0);
@@ -98,8 +99,12 @@ int SurfaceTree::build(int first, int last, int parent, const std::vector<Vec3>&
   m_nodes.back().last = last;
   if (last - first <= leaf_size)
   {
-    for (int i = first; i < last; ++i)
-      m_leaf_of[static_cast<std::size_t>(m_order[static_cast<std::size_t>(i)])] = index;
+    for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(last); ++i)
+    {
+      const auto t = static_cast<std::size_t>(m_order[i]);
+      m_leaf_of[t] = index;
+      m_leaf_triangles[i] = m_mesh.triangles[t];
+    }
     fit_leaf(m_nodes.back());
     return index;
   }
@@ -131,9 +136,9 @@ bool SurfaceTree::fit_leaf(Node& node) const
   node.low.setConstant(std::numeric_limits<double>::infinity());
   node.high = -node.low;
   for (int i = node.first; i < node.last; ++i)
-    for (std::size_t k = 0; k < 3; ++k)
+    for (const int v : m_leaf_triangles[static_cast<std::size_t>(i)])
     {
-      const Vec3& p = corner(m_order[static_cast<std::size_t>(i)], k);
+      const Vec3& p = m_mesh.points[static_cast<std::size_t>(v)];
       node.low = node.low.cwiseMin(p);
       node.high = node.high.cwiseMax(p);
     }

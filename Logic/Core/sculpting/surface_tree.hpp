@@ -55,8 +55,9 @@ private:
 
   const TriangleMesh& m_mesh;
   std::vector<Node> m_nodes;
-  std::vector<int> m_order;   ///< triangles, leaf by leaf
-  std::vector<int> m_leaf_of; ///< per triangle
+  std::vector<int> m_order;               ///< triangles, leaf by leaf
+  std::vector<Triangle> m_leaf_triangles; ///< in that order
+  std::vector<int> m_leaf_of;             ///< per triangle
 };
 
 } // namespace f2b
