@@ -2,6 +2,7 @@
 
 #include "Case/movement_rules.hpp"
 #include "Core/error.hpp"
+#include "Core/inverse/reachability_words.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -35,7 +36,7 @@ std::vector<double> LivePlan::weights(const std::vector<Vec3>& displacement) con
 {
   std::vector<double> weight(displacement.size(), 1.0);
   for (std::size_t v = 0; v < weight.size(); ++v)
-    if (m_mask_mm > 0 && displacement[v].norm() < m_mask_mm)
+    if (m_mask_mm > 0 && displacement[v].squaredNorm() < m_mask_mm * m_mask_mm)
       weight[v] = 0;
   if (std::none_of(weight.begin(), weight.end(), [](double w) { return w > 0; }))
     throw Error("target", "it moves no skin by as much as its mask",
@@ -48,9 +49,18 @@ std::vector<double> LivePlan::unreached(const std::vector<Vec3>& wanted,
 {
   std::vector<double> left(wanted.size(), std::nan(""));
   for (std::size_t v = 0; v < wanted.size(); ++v)
-    if (m_face.skin_area[v] > 0 && !(m_mask_mm > 0 && wanted[v].norm() < m_mask_mm))
+    if (m_face.skin_area[v] > 0 &&
+        !(m_mask_mm > 0 && wanted[v].squaredNorm() < m_mask_mm * m_mask_mm))
       left[v] = (wanted[v] - got[v]).norm();
   return left;
+}
+
+std::vector<std::string> LivePlan::notes_on(const std::vector<int>& held_fragments) const
+{
+  std::vector<std::string> notes;
+  for (const int f : held_fragments)
+    notes.push_back(stays_unseen(fragments()[static_cast<std::size_t>(f)]));
+  return notes;
 }
 
 FollowedPlan LivePlan::preview(const std::vector<Vec3>& displacement)
@@ -62,6 +72,7 @@ FollowedPlan LivePlan::preview(const std::vector<Vec3>& displacement)
   plan.motions = std::move(answer.motions);
   plan.skin_displacement = std::move(answer.skin_displacement);
   plan.doubt_mm = answer.doubt_mm;
+  plan.notes = notes_on(answer.held_fragments);
   return plan;
 }
 
@@ -73,6 +84,7 @@ FollowedPlan LivePlan::solve(const std::vector<Vec3>& displacement, const Progre
     throw Error("plan", "the tissue cannot follow even a small movement towards this target",
                 "ask for less, or release more tissue along the cuts", ErrorKind::Numerical);
   FollowedPlan plan;
+  plan.notes = notes_on(fit.held_fragments);
   plan.unreached_mm = unreached(displacement, fit.skin_displacement);
   plan.motions = std::move(fit.motions);
   plan.skin_displacement = std::move(fit.skin_displacement);

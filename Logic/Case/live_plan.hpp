@@ -18,6 +18,7 @@ struct FollowedPlan
   std::vector<double> unreached_mm;    ///< what is left of the target; NaN where nothing is asked
   double doubt_mm = 0;                 ///< of a preview: its own error (LiveOperator); 0 if solved
   bool solved = false;                 ///< by the full equilibrium, not to first order
+  std::vector<std::string> notes;      ///< sentences on fragments that were not moved
 };
 
 /// A meshed case in memory, linearised about rest: previews in milliseconds, the full fit on demand.
@@ -47,8 +48,10 @@ public:
                        const std::vector<Vec3>& displacement, const Progress& progress) const;
 
 private:
+  std::vector<std::string> notes_on(const std::vector<int>& held_fragments) const;
   std::vector<double> weights(const std::vector<Vec3>& displacement) const;
-  std::vector<double> unreached(const std::vector<Vec3>& wanted, const std::vector<Vec3>& got) const;
+  std::vector<double> unreached(const std::vector<Vec3>& wanted,
+                                const std::vector<Vec3>& got) const;
 
   LoadedFace m_face;
   FaceModel m_model;

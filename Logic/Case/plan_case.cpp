@@ -15,10 +15,12 @@
 #include "Case/verbs.hpp"
 #include "Case/virtual_force_case.hpp"
 #include "Core/error.hpp"
+#include "Core/inverse/reachability_words.hpp"
 #include "Core/inverse/rigid_fit.hpp"
 #include "Core/inverse/skin_error.hpp"
 #include "Core/mesh/tissue_stretch.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -233,13 +235,17 @@ const char* text_of(RigidFitTermination termination)
   return "";
 }
 
-/// Coordinates that would go on if their bounds let them.
+/// Fragments that were not moved, and coordinates that would go on if their bounds let them.
 void Planning::warn_of_bounds(const RigidFitResult& fit, const RigidFitOptions& options)
 {
   const MovementSpace space = movement_space(m_face.model(), options);
+  for (const int f : fit.held_fragments)
+    m_warnings.push_back("rigid-fit: " + stays_unseen(space.names()[static_cast<std::size_t>(f)]));
   for (const Eigen::Index k : fit.at_bounds)
   {
     const MovementSpace::Coordinate& c = space.coordinates()[static_cast<std::size_t>(k)];
+    if (std::count(fit.held_fragments.begin(), fit.held_fragments.end(), c.fragment) > 0)
+      continue;
     char text[200];
     std::snprintf(text, sizeof text,
                   "rigid-fit: '%s' is held back by its bound of %.4g %s (%s); the target asks for "

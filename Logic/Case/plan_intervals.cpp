@@ -93,6 +93,10 @@ std::vector<std::pair<std::string, std::string>> interval_rows(const json& plan)
     return rows;
   for (const auto& [fragment, coordinates] : intervals.at("fragments").items())
   {
+    // one that is held says so among the warnings
+    if (std::all_of(coordinates.begin(), coordinates.end(),
+                    [](const json& c) { return c.at("at_bound").get<bool>(); }))
+      continue;
     const std::string angles = halves(coordinates, {"pitch", "roll", "yaw", "hinge"});
     const std::string shifts = halves(coordinates, {"right", "anterior", "superior"});
     std::string text = angles.empty() ? "" : angles + " degrees";

@@ -6,6 +6,7 @@
 
 #include <Eigen/Cholesky>
 
+#include <algorithm>
 #include <cmath>
 
 namespace f2b
@@ -53,7 +54,8 @@ LiveOperator::LiveOperator(const FaceModel& face, const RigidFitOptions& options
 LiveOperator::LiveOperator(const FaceModel& face, const RigidFitOptions& options,
                            const RigidFitResult& plan, const Progress& progress)
     : m_face(face), m_options(options), m_space(movement_space(face, options)), m_q0(plan.q),
-      m_x(plan.x), m_u0(stacked(plan.skin_displacement))
+      m_x(plan.x), m_u0(stacked(plan.skin_displacement)),
+      m_area(fit_weights(face, {{}, std::vector<double>(face.skin_area.size(), 1.0), {}}))
 {
   linearize(progress);
   set_weight(std::vector<double>(face.skin_area.size(), 1.0));
@@ -86,13 +88,18 @@ void LiveOperator::linearize(const Progress& progress)
   m_C.resize(m_u0.size(), m_space.size());
   for (Eigen::Index k = 0; k < m_space.size(); ++k)
     m_C.col(k) = stacked(columns[static_cast<std::size_t>(k)]);
+  m_moved_skin = moved_skin(columns, m_area);
 
   progress("preparing the live preview", 0.5);
+  const auto keep_error = [&](const Eigen::VectorXd& at_probe)
+  {
+    const Eigen::VectorXd error = at_probe - skin_at(m_probe_q);
+    m_probe_error = error.reshaped(3, error.size() / 3).colwise().squaredNorm().transpose();
+  };
   m_probe_q = m_space.start();
-  m_probe_u = Eigen::VectorXd::Zero(m_u0.size());
   if (length_mm(m_probe_q - m_q0) > shortest_mm &&
       with_fragments_moved(m_face.tissue, m_space.motions(m_probe_q)) == m_face.tissue.rest())
-    return;
+    return keep_error(Eigen::VectorXd::Zero(m_u0.size()));
   m_probe_q = m_q0;
   for (Eigen::Index k = 0; k < m_space.size(); ++k)
   {
@@ -106,32 +113,80 @@ void LiveOperator::linearize(const Progress& progress)
       solver.move_to(x, with_fragments_moved(m_face.tissue, m_space.motions(m_probe_q)));
   if (!solve.converged()) // nothing is known about how far the linearisation holds
     m_probe_q = m_q0;
-  m_probe_u = stacked(m_face.skin.displacement(x));
+  keep_error(stacked(m_face.skin.displacement(x)));
 }
 
-double LiveOperator::off_mm(const Eigen::VectorXd& skin) const
+/// The normal equations, from the vertices that count: a stroke moves a few of many.
+Eigen::MatrixXd LiveOperator::normal_matrix() const
 {
-  const double area = m_weight.sum() / 3;
-  return area > 0 ? std::sqrt(skin.cwiseAbs2().dot(m_weight) / area) : 0;
+  constexpr Eigen::Index most_rows = 768; // what the nearest cache holds
+  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(m_C.cols(), m_C.cols());
+  decltype(m_C) rows(most_rows, m_C.cols());
+  Eigen::Index filled = 0;
+  const auto add_up = [&]
+  {
+    sum.selfadjointView<Eigen::Lower>().rankUpdate(rows.topRows(filled).transpose());
+    filled = 0;
+  };
+  for (const Eigen::Index v : m_counting)
+  {
+    rows.middleRows<3>(filled) =
+        std::sqrt(m_weight[static_cast<std::size_t>(v)]) * m_C.middleRows<3>(3 * v);
+    filled += 3;
+    if (filled == most_rows)
+      add_up();
+  }
+  add_up();
+  return sum.selfadjointView<Eigen::Lower>();
 }
 
 void LiveOperator::set_weight(const std::vector<double>& weight)
 {
-  const std::vector<double> area = fit_weights(m_face, {{}, weight, {}});
-  m_weight.resize(m_u0.size());
-  for (std::size_t v = 0; v < area.size(); ++v)
-    m_weight.segment<3>(3 * static_cast<Eigen::Index>(v)).setConstant(area[v]);
-  m_H = m_C.transpose() * m_weight.asDiagonal() * m_C;
+  std::vector<double> counting(m_area.size());
+  for (std::size_t v = 0; v < m_area.size(); ++v)
+    counting[v] = m_area[v] * weight[v];
+  if (counting == m_weight)
+    return;
+  m_weight = std::move(counting);
+  m_counting.clear();
+  double total = 0, probe_error = 0;
+  for (std::size_t v = 0; v < m_weight.size(); ++v)
+    if (m_weight[v] != 0)
+    {
+      m_counting.push_back(static_cast<Eigen::Index>(v));
+      total += m_weight[v];
+      probe_error += m_weight[v] * m_probe_error[static_cast<Eigen::Index>(v)];
+    }
+  m_H = normal_matrix();
+  m_held_fragments = unseen_fragments(m_space, m_q0, m_H.diagonal(), m_moved_skin);
   const Eigen::MatrixXd slopes = m_space.wish_slopes(m_q0);
   m_H += m_options.skin_sd_mm * m_options.skin_sd_mm * m_options.patch_area_mm2 *
          slopes.transpose() * slopes;
+  for (Eigen::Index k = 0; k < m_space.size(); ++k)
+    if (is_held(k))
+    {
+      m_H.row(k).setZero();
+      m_H.col(k).setZero();
+      m_H(k, k) = 1;
+    }
   if (m_H.size() && !(m_H.ldlt().vectorD().minCoeff() > 1e-10 * m_H.diagonal().maxCoeff()))
+  {
+    m_weight.clear(); // the same weights are refused again
     throw Error("target", "it leaves a combination of the fragments' movements free",
                 "widen the target's mask, lock a coordinate or give it a prior",
                 ErrorKind::Numerical);
+  }
   const double distance = length_mm(m_probe_q - m_q0);
-  m_curvature = distance > 0 ? off_mm(m_probe_u - skin_at(m_probe_q)) / (distance * distance)
-                             : std::numeric_limits<double>::infinity();
+  const double off_mm = total > 0 ? std::sqrt(probe_error / total) : 0;
+  m_curvature =
+      distance > 0 ? off_mm / (distance * distance) : std::numeric_limits<double>::infinity();
+}
+
+bool LiveOperator::is_held(Eigen::Index k) const
+{
+  return std::find(m_held_fragments.begin(), m_held_fragments.end(),
+                   m_space.coordinates()[static_cast<std::size_t>(k)].fragment) !=
+         m_held_fragments.end();
 }
 
 Eigen::VectorXd LiveOperator::skin_at(const Eigen::VectorXd& q) const
@@ -141,16 +196,24 @@ Eigen::VectorXd LiveOperator::skin_at(const Eigen::VectorXd& q) const
 
 LiveOperator::Answer LiveOperator::update(const std::vector<Vec3>& displacement) const
 {
-  Eigen::VectorXd g = m_C.transpose() * m_weight.cwiseProduct(m_u0 - stacked(displacement));
+  const Stacked wanted = stacked(displacement);
+  Eigen::VectorXd g = Eigen::VectorXd::Zero(m_C.cols());
+  for (const Eigen::Index v : m_counting)
+    g += m_C.middleRows<3>(3 * v).transpose() *
+         (m_weight[static_cast<std::size_t>(v)] * (m_u0 - wanted).segment<3>(3 * v));
   g += m_options.skin_sd_mm * m_options.skin_sd_mm * m_options.patch_area_mm2 *
        m_space.wish_slopes(m_q0).transpose() * m_space.wishes(m_q0);
+  Eigen::VectorXd least = m_space.least() - m_q0, most = m_space.most() - m_q0;
+  for (Eigen::Index k = 0; k < m_space.size(); ++k)
+    if (is_held(k))
+      g[k] = least[k] = most[k] = 0;
   Answer answer;
-  answer.q = m_q0 + box_step(m_H, g, m_space.least() - m_q0, m_space.most() - m_q0);
+  answer.held_fragments = m_held_fragments;
+  answer.q = m_q0 + box_step(m_H, g, least, most);
   answer.motions = m_space.motions(answer.q);
-  const Eigen::VectorXd skin = skin_at(answer.q);
   answer.skin_displacement.resize(displacement.size());
-  for (std::size_t v = 0; v < displacement.size(); ++v)
-    answer.skin_displacement[v] = skin.segment<3>(3 * static_cast<Eigen::Index>(v));
+  Eigen::Map<Eigen::VectorXd>(answer.skin_displacement.front().data(), m_u0.size()) =
+      skin_at(answer.q);
   const double distance = length_mm(answer.q - m_q0);
   answer.doubt_mm = distance > 0 ? m_curvature * distance * distance : 0;
   return answer;

@@ -22,6 +22,7 @@ public:
     /// How far the predicted face may be off, because it is linearised: the root mean square over
     /// the skin that counts, grown with the square of the distance from the linearisation [mm].
     double doubt_mm = 0;
+    std::vector<int> held_fragments; ///< of which the target says nothing: see unseen_fragments
   };
 
   /// Linearises about the plan of a full fit: one factorisation. Another equilibrium, that at rest or
@@ -44,18 +45,24 @@ private:
   void linearize(const Progress& progress);
   Eigen::VectorXd skin_at(const Eigen::VectorXd& q) const;
   double length_mm(const Eigen::VectorXd& change) const;
-  double off_mm(const Eigen::VectorXd& skin) const;
+  Eigen::MatrixXd normal_matrix() const;
+  bool is_held(Eigen::Index k) const;
 
   const FaceModel& m_face;
   RigidFitOptions m_options;
   MovementSpace m_space;
   Eigen::VectorXd m_q0, m_probe_q;
   std::vector<Vec3> m_x;
-  Eigen::VectorXd m_u0;      ///< skin displacement at q0, three per vertex [mm]
-  Eigen::VectorXd m_probe_u; ///< and at the probe
-  Eigen::MatrixXd m_C;       ///< skin displacement per unit of each coordinate
-  Eigen::VectorXd m_weight;  ///< area times weight, three per vertex [mm^2]
+  Eigen::VectorXd m_u0;       ///< skin displacement at q0, three per vertex [mm]
+  std::vector<double> m_area; ///< one per vertex, 0 where none is meshed [mm^2]
+  /// Skin displacement per unit of each coordinate; a vertex's three rows lie together.
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> m_C;
+  Eigen::VectorXd m_probe_error;        ///< of the linearised face at the probe, squared [mm^2]
+  std::vector<double> m_weight;         ///< area times weight, one per vertex [mm^2]
+  std::vector<Eigen::Index> m_counting; ///< vertices whose weight is not 0
   Eigen::MatrixXd m_H;
+  Eigen::VectorXd m_moved_skin; ///< by every coordinate, of all skin
+  std::vector<int> m_held_fragments;
   double m_curvature = 0; ///< error of the linearised face per squared distance [1/mm]
 };
 

@@ -112,6 +112,13 @@ std::string all_is_reached(const Reachability& reachability)
 
 } // namespace
 
+std::string stays_unseen(const std::string& fragment)
+{
+  return "'" + fragment +
+         "' stays: less than a tenth of the skin that it moves is under the target; sculpt the "
+         "face there, or say by its rules how it is to move";
+}
+
 ReachVerdict verdict_on(const RegionReach& reach, const ReachLimits& limits)
 {
   if (reach.area_mm2 < limits.least_area_mm2 || reach.left_p90 < limits.left_mm)

@@ -31,6 +31,9 @@ enum class ReachVerdict
 };
 ReachVerdict verdict_on(const RegionReach& reach, const ReachLimits& limits = {});
 
+/// That a fragment is not moved, as the target says nothing of it (unseen_fragments).
+std::string stays_unseen(const std::string& fragment);
+
 /// The operation that moves a region.
 struct CutForRegion
 {

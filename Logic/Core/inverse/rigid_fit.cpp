@@ -37,11 +37,22 @@ private:
   {
     Eigen::MatrixXd H;
     Eigen::VectorXd g, least, most;
+
+    /// Leaves a coordinate where it is.
+    void hold(Eigen::Index k)
+    {
+      H.row(k).setZero();
+      H.col(k).setZero();
+      H(k, k) = 1;
+      g[k] = least[k] = most[k] = 0;
+    }
   };
 
   double wish_weight() const { return m_options.wish_weight(); }
   double objective(const Eigen::VectorXd& q, const std::vector<Vec3>& x) const;
   Quadratic quadratic();
+  void hold_unseen(const std::vector<std::vector<Vec3>>& columns);
+  bool is_held(Eigen::Index k) const;
   Eigen::VectorXd damped_step(const Quadratic& model) const;
   EquilibriumSummary settle(const Eigen::VectorXd& q, std::vector<Vec3>& x);
   /// Share of the step that the tissue could follow; 1 also where it does not lower the objective.
@@ -80,9 +91,27 @@ double Fit::objective(const Eigen::VectorXd& q, const std::vector<Vec3>& x) cons
          0.5 * wish_weight() * m_space.wishes(q).squaredNorm();
 }
 
+/// Decided once, of the first columns: what a fragment moves hardly changes on the way.
+void Fit::hold_unseen(const std::vector<std::vector<Vec3>>& columns)
+{
+  const std::vector<double> all(m_face.skin_area.size(), 1.0);
+  m_result.held_fragments =
+      unseen_fragments(m_space, m_q, moved_skin(columns, m_residual.weight()),
+                       moved_skin(columns, fit_weights(m_face, {{}, all, {}})));
+}
+
+bool Fit::is_held(Eigen::Index k) const
+{
+  const std::vector<int>& held = m_result.held_fragments;
+  return std::find(held.begin(), held.end(),
+                   m_space.coordinates()[static_cast<std::size_t>(k)].fragment) != held.end();
+}
+
 Fit::Quadratic Fit::quadratic()
 {
   const auto columns = skin_columns(m_face, m_space, m_q, m_x, m_solver, m_exactness_mm);
+  if (m_result.iterations.empty())
+    hold_unseen(columns);
   Quadratic model;
   m_residual.normal_equations(m_face.skin.displacement(m_x), columns, model.H, model.g);
   const Eigen::MatrixXd slopes = m_space.wish_slopes(m_q);
@@ -96,6 +125,8 @@ Fit::Quadratic Fit::quadratic()
     const double longest = is_angle ? m_options.longest_turn_rad : m_options.longest_step_mm;
     model.least[k] = std::clamp(model.least[k], -longest, 0.0);
     model.most[k] = std::clamp(model.most[k], 0.0, longest);
+    if (is_held(k))
+      model.hold(k);
   }
   return model;
 }
@@ -110,7 +141,7 @@ void Fit::require_sensitivity(const Eigen::MatrixXd& H) const
   {
     const MovementSpace::Coordinate& c = m_space.coordinates()[static_cast<std::size_t>(k)];
     const double per_unit = c.is_angle() ? 1e-8 : 1e-10; // an angle moves bone by tens of mm a rad
-    if (!(loaded > 0) || !(H(k, k) > per_unit * loaded))
+    if (!is_held(k) && (!(loaded > 0) || !(H(k, k) > per_unit * loaded)))
       throw Error("fragment '" + m_space.names()[static_cast<std::size_t>(c.fragment)] + "'",
                   "moving it (" + std::string(c.name()) + ") does not move the skin of the target",
                   "give the fragment soft-tissue contact (smaller release margin, other cut), or "
@@ -234,7 +265,8 @@ std::vector<Eigen::Index> Fit::held_back(const Quadratic& model) const
   const Eigen::VectorXd least = m_space.least(), most = m_space.most();
   std::vector<Eigen::Index> held;
   for (Eigen::Index k = 0; k < m_space.size(); ++k)
-    if ((m_q[k] <= least[k] && model.g[k] > 0) || (m_q[k] >= most[k] && model.g[k] < 0))
+    if (is_held(k) || (m_q[k] <= least[k] && model.g[k] > 0) ||
+        (m_q[k] >= most[k] && model.g[k] < 0))
       held.push_back(k);
   return held;
 }

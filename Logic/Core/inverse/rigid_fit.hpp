@@ -44,7 +44,9 @@ struct RigidFitResult
   std::vector<RigidMotion> motions;    ///< one per fragment
   std::vector<Vec3> x;                 ///< control vectors in equilibrium at these motions [mm]
   std::vector<Vec3> skin_displacement; ///< of the reference skin [mm]
-  std::vector<Eigen::Index> at_bounds; ///< coordinates that a bound holds back
+  /// Coordinates that a bound holds back, and those of fragments that are held.
+  std::vector<Eigen::Index> at_bounds;
+  std::vector<int> held_fragments; ///< of which the target says nothing: see unseen_fragments
   /// Shift [mm] and turn [rad] of the target that its registration seems to have left; zero unless
   /// the target says that they are in doubt.
   Eigen::Matrix<double, 6, 1> target_registration = Eigen::Matrix<double, 6, 1>::Zero();
@@ -64,6 +66,7 @@ MovementSpace movement_space(const FaceModel& face, const RigidFitOptions& optio
 /// step needs; the last one meets the options' tolerance.
 /// \param start  a plan of the same face under the same rules, such as that of a target that differs
 ///               little: the fit begins from its equilibrium. Null: from rest
+/// Fragments that the target says nothing of (unseen_fragments) stay where they start.
 /// Throws Error if the target does not determine a fragment's movement at all.
 RigidFitResult fit_fragments(const FaceModel& face, const SkinTarget& target,
                              const RigidFitOptions& options, const Progress& progress,

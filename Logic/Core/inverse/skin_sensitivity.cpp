@@ -39,6 +39,49 @@ std::vector<double> fit_weights(const FaceModel& face, const SkinTarget& target)
   return weight;
 }
 
+Eigen::VectorXd moved_skin(const std::vector<std::vector<Vec3>>& columns,
+                           const std::vector<double>& weight)
+{
+  Eigen::VectorXd moved = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(columns.size()));
+  for (std::size_t k = 0; k < columns.size(); ++k)
+    for (std::size_t v = 0; v < weight.size(); ++v)
+      moved[static_cast<Eigen::Index>(k)] += weight[v] * columns[k][v].squaredNorm();
+  return moved;
+}
+
+std::vector<int> unseen_fragments(const MovementSpace& space, const Eigen::VectorXd& q,
+                                  const Eigen::VectorXd& counting, const Eigen::VectorXd& all)
+{
+  constexpr double least_share = 0.1, lever_mm = 50;
+  const Eigen::MatrixXd wishes = space.wish_slopes(q);
+  struct Share
+  {
+    double counting = 0, all = 0;
+    bool wished = false;
+  };
+  std::vector<Share> shares(space.fragment_count());
+  for (Eigen::Index k = 0; k < space.size(); ++k)
+  {
+    const MovementSpace::Coordinate& c = space.coordinates()[static_cast<std::size_t>(k)];
+    const double unit = c.is_angle() ? 1 / (lever_mm * lever_mm) : 1;
+    Share& share = shares[static_cast<std::size_t>(c.fragment)];
+    share.counting += unit * counting[k];
+    share.all += unit * all[k];
+    share.wished = share.wished || (wishes.rows() > 0 && !wishes.col(k).isZero(0));
+  }
+  std::vector<int> unseen;
+  bool others = false;
+  for (std::size_t f = 0; f < shares.size(); ++f)
+  {
+    const Share& share = shares[f];
+    if (!share.wished && share.all > 0 && share.counting < least_share * share.all)
+      unseen.push_back(static_cast<int>(f));
+    else
+      others = others || share.all > 0;
+  }
+  return others ? unseen : std::vector<int>{};
+}
+
 SkinResidual::SkinResidual(const SkinTarget& target, std::vector<double> weight)
     : m_target(target), m_weight(std::move(weight))
 {

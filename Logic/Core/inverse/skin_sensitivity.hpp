@@ -74,6 +74,19 @@ SkinResidual skin_residual(const FaceModel& face, const SkinTarget& target, doub
 /// near [mm^2].
 std::vector<double> fit_weights(const FaceModel& face, const SkinTarget& target);
 
+/// How much skin every coordinate moves: the integral of its column's squared length over the skin
+/// that counts.
+/// \param weight  per reference-skin vertex [mm^2]
+Eigen::VectorXd moved_skin(const std::vector<std::vector<Vec3>>& columns,
+                           const std::vector<double>& weight);
+
+/// Fragments that a target says nothing of: less than a tenth of the skin that they move counts.
+/// What little they do to the skin that counts would drive them to their bounds. Fragments that a
+/// prior or a bite speaks for are none of these, and there is none if the target would see no other.
+/// \param counting, all  moved_skin of the skin that counts, and of all skin that is meshed
+std::vector<int> unseen_fragments(const MovementSpace& space, const Eigen::VectorXd& q,
+                                  const Eigen::VectorXd& counting, const Eigen::VectorXd& all);
+
 /// Skin displacement per unit of every coordinate at an equilibrium, on the reference skin; in mm
 /// per mm or rad.
 /// \param tolerance  relative, of the solves

@@ -1,8 +1,10 @@
 #include "Core/error.hpp"
+#include "Core/inverse/live_operator.hpp"
 #include "Core/inverse/rigid_fit.hpp"
 #include "Core/inverse/skin_sensitivity.hpp"
 #include "Logic/Core/slab_face.hpp"
 
+#include <algorithm>
 #include <random>
 
 namespace f2b
@@ -58,6 +60,53 @@ TEST(ConstrainedFit, TwoFragmentsAreFoundInAnyOrder)
     EXPECT_LT((fit.motions[f].translation - other.motions[1 - f].translation).norm(), 1e-5);
     EXPECT_LT(angle_between(fit.motions[f].rotation, other.motions[1 - f].rotation), 1e-6);
   }
+}
+
+/// What the left block does, asked for far from the right one, and not quite what it can do.
+SkinTarget target_of_the_left(const Slab& slab)
+{
+  const auto truth = two_motions(slab);
+  SkinTarget target =
+      slab.target_of({truth[0], about(slab.face.reference_points[1], Vec3::Zero(), {})});
+  const std::vector<Vec3> positions = slab.positions();
+  for (std::size_t v = 0; v < positions.size(); ++v)
+  {
+    target.displacement[v].z() += 0.3 * std::sin(0.2 * positions[v].y());
+    target.weight[v] = positions[v].x() < -12 ? 1 : 0;
+  }
+  return target;
+}
+
+TEST(ConstrainedFit, AFragmentThatTheTargetSaysNothingOfStays)
+{
+  const Slab slab(two_blocks);
+  const SkinTarget target = target_of_the_left(slab);
+  const RigidFitResult fit = fit_fragments(slab.face, target, {}, no_progress);
+  EXPECT_EQ(fit.termination, RigidFitTermination::Converged);
+  EXPECT_EQ(fit.held_fragments, std::vector<int>{1});
+  EXPECT_EQ(fit.motions[1].matrix(), Mat4(Mat4::Identity()));
+  EXPECT_LT((fit.motions[0].translation - two_motions(slab)[0].translation).norm(), 0.5);
+  EXPECT_EQ(std::count_if(fit.at_bounds.begin(), fit.at_bounds.end(),
+                          [](Eigen::Index k) { return k >= 6; }),
+            6);
+  RigidFitOptions options;
+  options.rules.resize(2);
+  options.rules[1].coordinates[4].sd = 1; // whoever gives it a prior wants it planned
+  EXPECT_TRUE(fit_fragments(slab.face, target, options, no_progress).held_fragments.empty());
+}
+
+TEST(ConstrainedFit, TheLiveOperatorHoldsWhatTheFitHolds)
+{
+  const Slab slab(two_blocks);
+  const SkinTarget target = target_of_the_left(slab);
+  LiveOperator live(slab.face, {}, no_progress);
+  EXPECT_TRUE(live.update(target.displacement).held_fragments.empty()); // all skin counts as yet
+  live.set_weight(target.weight);
+  const LiveOperator::Answer answer = live.update(target.displacement);
+  EXPECT_EQ(answer.held_fragments, std::vector<int>{1});
+  EXPECT_EQ(answer.motions[1].matrix(), Mat4(Mat4::Identity()));
+  const RigidFitResult fit = fit_fragments(slab.face, target, {}, no_progress);
+  EXPECT_LT((answer.motions[0].translation - fit.motions[0].translation).norm(), 0.5);
 }
 
 TEST(ConstrainedFit, LockedTogetherFragmentsMoveAsOne)
