@@ -10,6 +10,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include <array>
+#include <atomic>
 #include <memory>
 #include <mutex>
 #include <vector>
@@ -95,6 +96,10 @@ public:
   /// Opens a case folder, its case.json, a case file to be worked on in a folder beside it, or a CT
   /// alone (file or DICOM folder), which is read in the background.
   bool open(const QString& path);
+  /// A window draws the case and calls caseIsSeen(): only then is the live preview of a case that has
+  /// been opened prepared, as it takes all cores from drawing.
+  void setSeenInWindow(bool seen) { m_seenInWindow = seen; }
+  void caseIsSeen() { *m_isSeen = true; }
   /// Makes the virtual patient in a folder and begins its case there, in the background.
   bool openSample(const QString& folder, double meshDensity);
   void close();
@@ -204,7 +209,8 @@ private:
   f2b::SymmetryPlane guessedSymmetry(vtkPolyData* skin) const;
   void findRides();
   void prepareLive();
-  void showPlan(const f2b::FollowedPlan& plan);
+  void showPlan(f2b::FollowedPlan plan);
+  void showFollowed(f2b::FollowedPlan plan);
   void showFragments();
   void showSurface(const QString& key, const QString& name, vtkPolyData* surface,
                    const QColor& colour, double opacity = 1, bool visible = true);
@@ -242,8 +248,10 @@ private:
   struct Drag; ///< of a point of the face that is going on
   std::unique_ptr<Drag> m_drag;
   bool m_following = true, m_solveAgain = false, m_prepareAgain = false;
-  bool m_firstImage = false; ///< a case is being opened: it is seen first, then the live preview
-  int m_generation = 0;      ///< of what is loaded: background results of an older one are dropped
+  bool m_seenInWindow = false;
+  /// Of the case that is opened, read in the background too.
+  std::shared_ptr<std::atomic<bool>> m_isSeen = std::make_shared<std::atomic<bool>>(true);
+  int m_generation = 0; ///< of what is loaded: background results of an older one are dropped
   double m_shownShare = 1;
   qFaceToBoneTask m_task, m_background; // last: they end before what they use
 };

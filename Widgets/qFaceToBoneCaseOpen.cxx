@@ -92,9 +92,8 @@ bool qFaceToBoneCase::open(const QString& path)
         *m_document = std::move(document);
         m_folder = folder;
         m_rulers->load(file(rulersFileName));
-        m_firstImage = true;
+        m_isSeen = std::make_shared<std::atomic<bool>>(!m_seenInWindow);
         load(true);
-        m_firstImage = false;
         if (!has("skin.vtp"))
           previewCt();
       });

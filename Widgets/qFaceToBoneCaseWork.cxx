@@ -235,7 +235,7 @@ void qFaceToBoneCase::loadPlan()
   shown.solved = true;
   for (const auto& warning : plan.at("warnings"))
     m_notes << QString::fromStdString(warning.get<std::string>());
-  showPlan(shown);
+  showPlan(std::move(shown));
 }
 
 void qFaceToBoneCase::prepareLive()
@@ -249,12 +249,13 @@ void qFaceToBoneCase::prepareLive()
   m_background.start(
       tr("Preparing the live preview"),
       [made, folder, source = m_document->source, document = documentFor(Plan),
-       inUse = m_folderInUse, wait = m_firstImage](const f2b::Progress& progress)
+       inUse = m_folderInUse, seen = m_isSeen](const f2b::Progress& progress)
       {
-        for (int tenths = 0; wait && tenths < 15; ++tenths) // it would take all cores from drawing
+        constexpr int most = 500; // of a window that is minimised nothing is drawn
+        for (int k = 0; !*seen && k < most; ++k)
         {
           progress("reading the mesh", 0);
-          std::this_thread::sleep_for(std::chrono::milliseconds(100));
+          std::this_thread::sleep_for(std::chrono::milliseconds(20));
         }
         {
           const std::lock_guard<std::mutex> alone(*inUse);
@@ -290,7 +291,8 @@ void qFaceToBoneCase::sculpted(bool settled)
     emit changed();
   if (!m_live || !m_following)
     return;
-  const auto previewed = [this] { showPlan(m_live->preview(m_sculpting->skin().displacement())); };
+  const auto previewed = [this]
+  { showFollowed(m_live->preview(m_sculpting->skin().displacement())); };
   if (!attempt(previewed))
   {
     m_notes = QStringList(m_error);
@@ -321,18 +323,27 @@ void qFaceToBoneCase::solveInBackground()
       [this, result, revision, generation]
       {
         if (generation == m_generation && m_sculpting->revision() == revision)
-          showPlan(*result);
+          showFollowed(std::move(*result));
       });
 }
 
-void qFaceToBoneCase::showPlan(const f2b::FollowedPlan& plan)
+/// In place of the plan that the folder holds, and of what was said of that.
+void qFaceToBoneCase::showFollowed(f2b::FollowedPlan plan)
 {
-  m_plan = std::make_unique<f2b::FollowedPlan>(plan);
+  m_notes.clear();
+  for (const std::string& note : plan.notes)
+    m_notes << QString::fromStdString(note);
+  showPlan(std::move(plan));
+}
+
+void qFaceToBoneCase::showPlan(f2b::FollowedPlan plan)
+{
+  m_plan = std::make_unique<f2b::FollowedPlan>(std::move(plan));
   std::vector<f2b::Vec3> points = m_sculpting->skin().rest();
   for (std::size_t v = 0; v < points.size(); ++v)
-    points[v] += plan.skin_displacement[v];
+    points[v] += m_plan->skin_displacement[v];
   const auto surface = f2b::with_points(m_objects.find("skin")->surface, points);
-  f2b::add_point_array(surface, unreachedArray, plan.unreached_mm);
+  f2b::add_point_array(surface, unreachedArray, m_plan->unreached_mm);
   showSurface("predicted", tr("Predicted face"), surface, {120, 170, 205}, 1, false);
   showFragments();
   emit planChanged();
@@ -468,7 +479,7 @@ void qFaceToBoneCase::predictInBackground()
         for (std::size_t f = 0; same && f < motions.size(); ++f)
           same = m_plan->motions[f].matrix() == motions[f].matrix();
         if (same)
-          showPlan(*result);
+          showFollowed(std::move(*result));
         else
           predictInBackground();
       });

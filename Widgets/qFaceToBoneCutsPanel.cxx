@@ -18,6 +18,7 @@
 #include <QSlider>
 #include <QToolButton>
 #include <QTreeWidget>
+#include <QVBoxLayout>
 
 namespace
 {
@@ -76,8 +77,11 @@ qFaceToBoneCutsPanel::qFaceToBoneCutsPanel(qFaceToBoneCase* work, QWidget* paren
       qFaceToBoneToolTip(tr("Cuts with handles in the 3D view; the ball marks the free piece"),
                          tr("Drag balls, edges, arrows"), tr("bounded planes and swept curves")));
   m_fragments->setWordWrap(true);
-  auto* form = new QFormLayout(this);
-  form->setContentsMargins(4, 4, 4, 4);
+  auto* form = new QFormLayout;
+  auto* page = new QVBoxLayout(this);
+  page->setContentsMargins(4, 4, 4, 4);
+  page->addLayout(form);
+  page->addStretch(1); // on a high screen the rows stay together
   form->setVerticalSpacing(4);
   form->addRow(m_cuts);
   form->addRow(makeCutButtons());

@@ -41,13 +41,19 @@ TriangleMesh to_triangle_mesh(vtkPolyData* surface)
 namespace
 {
 
+void copy_vectors(const std::vector<Vec3>& vectors, double* to)
+{
+  static_assert(sizeof(Vec3) == 3 * sizeof(double));
+  if (!vectors.empty())
+    std::copy_n(vectors.front().data(), 3 * vectors.size(), to);
+}
+
 vtkSmartPointer<vtkPoints> vtk_points(const std::vector<Vec3>& points)
 {
   auto result = vtkSmartPointer<vtkPoints>::New();
   result->SetDataTypeToDouble();
   result->SetNumberOfPoints(static_cast<vtkIdType>(points.size()));
-  for (std::size_t i = 0; i < points.size(); ++i)
-    result->SetPoint(static_cast<vtkIdType>(i), points[i].data());
+  copy_vectors(points, static_cast<double*>(result->GetVoidPointer(0)));
   return result;
 }
 
@@ -96,8 +102,7 @@ void add_point_array(vtkPolyData* surface, const std::string& name, const std::v
   array->SetName(name.c_str());
   array->SetNumberOfComponents(3);
   array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
-  for (std::size_t i = 0; i < values.size(); ++i)
-    array->SetTuple(static_cast<vtkIdType>(i), values[i].data());
+  copy_vectors(values, array->GetPointer(0));
   surface->GetPointData()->AddArray(array);
 }
 

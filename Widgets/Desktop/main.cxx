@@ -8,14 +8,14 @@
 #include <QSurfaceFormat>
 #include <QVTKOpenGLNativeWidget.h>
 
-#include <vtkRenderWindow.h>
-
 #include <clocale>
 #include <ctime>
 #include <iostream>
 
 int main(int argc, char** argv)
 {
+  QElapsedTimer since;
+  since.start();
   QSurfaceFormat::setDefaultFormat(QVTKOpenGLNativeWidget::defaultFormat());
   QCoreApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
   QApplication application(argc, argv);
@@ -32,8 +32,6 @@ int main(int argc, char** argv)
   parser.addPositionalArgument("case", "Case folder, case.mrml, case file (JSON) or CT", "[case]");
   parser.addOption({"time-first-image", "Print the seconds until the case or CT is seen, and end"});
   parser.process(application);
-  QElapsedTimer since;
-  since.start();
   qFaceToBoneMainWindow window;
   window.show();
   if (!parser.positionalArguments().isEmpty())
@@ -41,17 +39,18 @@ int main(int argc, char** argv)
   if (parser.isSet("time-first-image"))
   {
     qFaceToBoneCase* work = window.work();
-    do // a case in which nothing has been found yet is seen when its CT has been read
-      QCoreApplication::processEvents(QEventLoop::AllEvents);
-    while (work->objects()->all().empty() &&
-           (work->task()->isRunning() || work->background()->isRunning()));
-    window.threeDView()->renderWindow()->Render();
+    bool seen = false;
+    QObject::connect(window.threeDView(), &qFaceToBoneThreeDView::drawn, [&] { seen = true; });
+    // a case in which nothing has been found yet is seen when its CT has been read
+    while (!seen && (work->task()->isRunning() || work->background()->isRunning() ||
+                     !work->objects()->all().empty()))
+      QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
     timespec spent{};
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &spent);
-    std::cout << "first image after " << since.elapsed() / 1000.0 << " s, "
+    std::cout << "first image after " << static_cast<double>(since.elapsed()) / 1000.0 << " s, "
               << double(spent.tv_sec) + 1e-9 * double(spent.tv_nsec)
-              << " s of the window's thread on a processor\n";
-    return 0;
+              << " s of the window's thread on a processor" << std::endl;
+    return seen ? 0 : 1;
   }
   return QApplication::exec();
 }

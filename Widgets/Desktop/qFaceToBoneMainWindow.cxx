@@ -276,6 +276,8 @@ QWidget* qFaceToBoneMainWindow::makeCentre()
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
   m_view = new qFaceToBoneThreeDView(m_case->objects());
+  m_case->setSeenInWindow(true);
+  connect(m_view, &qFaceToBoneThreeDView::drawn, m_case, &qFaceToBoneCase::caseIsSeen);
   column->addWidget(makeViewBar());
   column->addWidget(m_view, 1);
   views->addWidget(main);

@@ -8,6 +8,7 @@
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
+#include <vtkCommand.h>
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkInteractorStyleTrackballCamera.h>
 #include <vtkLightKit.h>
@@ -70,6 +71,10 @@ qFaceToBoneThreeDView::qFaceToBoneThreeDView(qFaceToBoneObjects* objects, QWidge
   setRenderWindow(window);
   vtkNew<vtkInteractorStyleTrackballCamera> style;
   interactor()->SetInteractorStyle(style);
+  // tools and camera ask for a picture with every mouse move: one is drawn when the mouse rests
+  interactor()->EnableRenderOff();
+  m_renderRequests =
+      interactor()->AddObserver(vtkCommand::RenderEvent, this, &qFaceToBoneThreeDView::renderSoon);
   vtkNew<vtkCamera> camera;
   camera->ParallelProjectionOn();
   for (int k = 0; k < 3; ++k)
@@ -126,11 +131,20 @@ qFaceToBoneThreeDView::qFaceToBoneThreeDView(qFaceToBoneObjects* objects, QWidge
   connect(m_objects, &qFaceToBoneObjects::listChanged, this, &qFaceToBoneThreeDView::rebuild);
   connect(m_objects, &qFaceToBoneObjects::objectChanged, this,
           &qFaceToBoneThreeDView::updateObject);
+  connect(this, &QOpenGLWidget::frameSwapped, this,
+          [this]
+          {
+            if (m_fitted && !m_renderPending)
+              emit drawn();
+          });
   setLayoutOfViews(Single);
   setPreset(ThreeQuarter);
 }
 
-qFaceToBoneThreeDView::~qFaceToBoneThreeDView() = default;
+qFaceToBoneThreeDView::~qFaceToBoneThreeDView()
+{
+  interactor()->RemoveObserver(m_renderRequests); // tools may keep the interactor
+}
 
 vtkRenderer* qFaceToBoneThreeDView::mainRenderer() const
 {

@@ -54,6 +54,9 @@ public:
   /// What is seen, as a picture file. \return false if it cannot be written
   bool savePicture(const QString& path);
 
+signals:
+  void drawn(); ///< all that there is to see is on the screen
+
 private:
   struct Pane;
   void fitCamera();
@@ -69,6 +72,7 @@ private:
   Layout m_layout = Single;
   double m_explode = 0, m_split = 1;
   bool m_renderPending = false, m_fitted = false;
+  unsigned long m_renderRequests = 0; ///< observer of the interactor's
   vtkSmartPointer<vtkScalarBarActor> m_bar;
   vtkSmartPointer<vtkTextActor> m_barTitle;
   vtkSmartPointer<vtkActor> m_crosshair;

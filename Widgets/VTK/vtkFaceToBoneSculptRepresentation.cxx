@@ -13,6 +13,7 @@
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 
+#include <algorithm>
 #include <cstdio>
 
 vtkStandardNewMacro(vtkFaceToBoneSculptRepresentation);
@@ -40,14 +41,31 @@ vtkDataArray* ArrayOf(vtkPolyData* surface, const char* name, int components)
   return surface->GetPointData()->GetArray(name);
 }
 
+/// Gives an array all its values anew, as fast as its type allows: hosts may bring any.
+void Fill(vtkDataArray* array, const double* values)
+{
+  const vtkIdType count = array->GetNumberOfValues();
+  if (auto* doubles = vtkDoubleArray::FastDownCast(array))
+    std::copy_n(values, count, doubles->GetPointer(0));
+  else if (auto* floats = vtkFloatArray::FastDownCast(array))
+    std::transform(values, values + count, floats->GetPointer(0),
+                   [](double value) { return static_cast<float>(value); });
+  else
+    for (vtkIdType k = 0; k < array->GetNumberOfTuples(); ++k)
+      array->SetTuple(k, values + k * array->GetNumberOfComponents());
+  array->Modified();
+}
+
 void SetNormals(vtkPolyData* surface, const std::vector<f2b::Vec3>& normals)
 {
   vtkNew<vtkFloatArray> array;
   array->SetName("Normals");
   array->SetNumberOfComponents(3);
   array->SetNumberOfTuples(static_cast<vtkIdType>(normals.size()));
-  for (std::size_t v = 0; v < normals.size(); ++v)
-    array->SetTuple(static_cast<vtkIdType>(v), normals[v].data());
+  float* to = array->GetPointer(0);
+  for (const f2b::Vec3& normal : normals)
+    for (int k = 0; k < 3; ++k)
+      *to++ = static_cast<float>(normal[k]);
   surface->GetPointData()->SetNormals(array);
 }
 
@@ -87,23 +105,16 @@ void vtkFaceToBoneSculptRepresentation::UpdateShown()
     vtkErrorMacro("the shown surface is not the session's");
     return;
   }
-  vtkDataArray* displacement = ArrayOf(this->Shown, DisplacementArray, 3);
-  vtkDataArray* length = ArrayOf(this->Shown, LengthArray, 1);
-  vtkDataArray* mask = ArrayOf(this->Shown, MaskArray, 1);
-  vtkPoints* points = this->Shown->GetPoints();
+  std::vector<double> length(skin.size());
   for (std::size_t v = 0; v < skin.size(); ++v)
-  {
-    const auto id = static_cast<vtkIdType>(v);
-    const f2b::Vec3& d = skin.displacement()[v];
-    points->SetPoint(id, skin.points()[v].data());
-    displacement->SetTuple(id, d.data());
-    length->SetTuple1(id, d.dot(skin.normals()[v]));
-    mask->SetTuple1(id, skin.mask()[v]);
-  }
+    length[v] = skin.displacement()[v].dot(skin.normals()[v]);
+  vtkPoints* points = this->Shown->GetPoints();
+  Fill(points->GetData(), skin.points().front().data());
+  Fill(ArrayOf(this->Shown, DisplacementArray, 3), skin.displacement().front().data());
+  Fill(ArrayOf(this->Shown, LengthArray, 1), length.data());
+  Fill(ArrayOf(this->Shown, MaskArray, 1), skin.mask().data());
   SetNormals(this->Shown, skin.normals());
   points->Modified();
-  for (vtkDataArray* array : {displacement, length, mask})
-    array->Modified();
   this->Shown->Modified();
 }
 
