@@ -890,12 +890,7 @@ def window_pictures(tier):
         rows += [(f"{name}: pictures, to be looked at", told["pictures"], ">= 30", told["pictures"] >= 30),
                  (f"{name}: clipped words", len(told["clipped"]), "0", not told["clipped"]),
                  (f"{name}: controls without a name", len(told["unnamed"]), "0", not told["unnamed"]),
-                 (f"{name}: mouse move to moved fragments, processor [ms]", told["move_ms"]["mean"], "<= 50", told["move_ms"]["mean"] <= 50),
-                 (f"{name}: the same, largest", told["move_ms"]["largest"], "printed", True),
-                 (f"{name}: moves of 20 that the fragments followed", told["move_ms"]["moves_that_fragments_followed"], "> 15",
-                  told["move_ms"]["moves_that_fragments_followed"] > 15),
-                 (f"{name}: CT alone, seen after [s]", told["bare_ct"]["seconds_to_first_image"], "printed", True),
-                 (f"{name}: planned case, seen again after [s]", told["seconds_to_reopened_image"], "printed", True)]
+                 (f"{name}: CT alone, seen after [s]", told["bare_ct"]["seconds_to_first_image"], "printed", True)]
     return rows
 
 
@@ -911,7 +906,7 @@ def window_tutorial(tier):
 
 
 def window_speed(tier):
-    """A dab of each brush on 100 000 vertices, and from the window's start to the first image of the sample case."""
+    """A dab of each brush on 100 000 vertices, the live plan, and the time to the first image."""
     told = json.loads(subprocess.run([tier.tool("Benchmarks/benchmark_sculpting"), "--benchmark_format=json",
                                       "--benchmark_filter=/316/"], capture_output=True, text=True, check=True).stdout)
     rows = [(f"{b['name']} of {b.get('vertices', 316 ** 2):.0f} vertices, processor [ms]", b["cpu_time"], "<= 16", b["cpu_time"] <= 16)
@@ -933,6 +928,13 @@ def window_speed(tier):
         rows.append((f"sample patient, {name}: first image, with the display's own start [s]", seconds, "printed", bool(own)))
         if own:
             rows.append((f"sample patient, {name}: first image after [s]", float(own[1]), "<= 3", float(own[1]) <= 3))
+    for name, case in (("sample patient", folder), ("cthead_unc", tier.planned("cthead_unc")[0])):
+        told = told_by(tier, "window_moves", case)
+        print(f"{name}: {json.dumps(told)}", flush=True)
+        rows += [(f"{name}: mouse move to moved fragments, processor [ms]", told["mean_ms"], "<= 50", told["mean_ms"] <= 50),
+                 (f"{name}: the same, largest", told["largest_ms"], "printed", True),
+                 (f"{name}: moves of {told['moves']} that the fragments followed", told["moves_that_fragments_followed"],
+                  "> 3/4", told["moves_that_fragments_followed"] > 0.75 * told["moves"])]
     return rows
 
 

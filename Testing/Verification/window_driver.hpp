@@ -16,11 +16,34 @@
 
 #include <nlohmann/json.hpp>
 
+#include <iostream>
+
 /// Who works in the window where no test looks on.
 namespace f2b::testing
 {
 
 using nlohmann::json;
+
+/// Does a program's work in an application on a display of its own, and prints what it tells.
+/// \return the program's exit code
+template <class Work>
+int in_application(Work work)
+{
+  try
+  {
+    ApplicationEnvironment application;
+    application.SetUp();
+    const json told = work();
+    std::cout << told.dump(1) << "\n";
+    application.TearDown();
+    return 0;
+  }
+  catch (const std::exception& error)
+  {
+    std::cerr << error.what() << "\n";
+    return 1;
+  }
+}
 
 /// Pictures of the window at two sizes, and what is clipped or unnamed in them.
 class Photographer

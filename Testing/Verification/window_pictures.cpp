@@ -11,7 +11,6 @@
 #include <Bridge/json_file.hpp>
 #include <Bridge/markups.hpp>
 #include <Case/case_settings.hpp>
-#include <Core/sculpting/sculpting_session.hpp>
 
 #include <QAbstractButton>
 #include <QCheckBox>
@@ -30,13 +29,12 @@
 
 #include <nlohmann/json.hpp>
 
-#include <ctime>
 #include <iostream>
 
 /// Drives the window through every step of a case, and of its bare CT, and pictures each at two
 /// sizes; tells what is clipped or unnamed.
 ///
-///   window_pictures CASE.json FOLDER [LANDMARKS_FROM_A_CT]
+///   window_pictures CASE.json FOLDER
 namespace f2b
 {
 namespace
@@ -62,58 +60,6 @@ json bare_ct(Surgeon& s, const QString& ct)
   s.show(qFaceToBoneCase::Cuts, "ct_3_cuts_want_landmarks");
   const auto state = s.work()->state(qFaceToBoneCase::Cuts);
   return {{"seconds_to_first_image", seconds}, {"cuts_say", state.text.toStdString()}};
-}
-
-double thread_seconds()
-{
-  timespec spent{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &spent);
-  return double(spent.tv_sec) + 1e-9 * double(spent.tv_nsec);
-}
-
-/// Processor time from a mouse move that drags the nose to fragments that have followed [ms], mean
-/// and largest; without drawing.
-json time_of_a_move(Surgeon& s)
-{
-  for (QToolButton* button : s.window().findChildren<QToolButton*>())
-    if (button->text() == "Elastic")
-      button->click();
-  s.window().threeDView()->setPreset(qFaceToBoneThreeDView::Right);
-  QCoreApplication::processEvents();
-  vtkRenderWindowInteractor* mouse = s.window().threeDView()->interactor();
-  vtkRenderer* renderer = s.window().threeDView()->mainRenderer();
-  const auto nose = s.work()->landmarkOnFace("prn");
-  renderer->SetWorldPoint(nose[0], nose[1] - 1, nose[2], 1);
-  renderer->WorldToDisplay();
-  const double* d = renderer->GetDisplayPoint();
-  const int x = static_cast<int>(d[0]), y = static_cast<int>(d[1]);
-  mouse->SetEventInformation(x, y);
-  mouse->InvokeEvent(vtkCommand::LeftButtonPressEvent);
-  double sum = 0, worst = 0;
-  constexpr int moves = 20;
-  int followed = 0;
-  auto before = s.work()->movements();
-  for (int k = 1; k <= moves; ++k)
-  {
-    mouse->SetEventInformation(x + k, y);
-    const double begin = thread_seconds();
-    mouse->InvokeEvent(vtkCommand::MouseMoveEvent);
-    const double spent = 1000 * (thread_seconds() - begin);
-    sum += spent;
-    worst = std::max(worst, spent);
-    const auto after = s.work()->movements();
-    followed += !after.empty() && (before.empty() || after[0].translation != before[0].translation);
-    before = after;
-  }
-  mouse->InvokeEvent(vtkCommand::LeftButtonReleaseEvent);
-  s.work()->undo();
-  for (QToolButton* button : s.window().findChildren<QToolButton*>())
-    if (button->text() == "Turn")
-      button->click();
-  return {{"mean", sum / moves},
-          {"largest", worst},
-          {"moves_that_fragments_followed", followed},
-          {"vertices", s.work()->sculpting()->skin().size()}};
 }
 
 /// A genioplasty, clicked on the bone below the canines from border to border; and a nerve near it.
@@ -157,7 +103,7 @@ void by_hand(Surgeon& s)
   s.find<QCheckBox>("hand")->setChecked(false);
 }
 
-json whole_way(Surgeon& s)
+void whole_way(Surgeon& s)
 {
   s.run(qFaceToBoneCase::Surfaces);
   s.show(qFaceToBoneCase::Surfaces, "2_surfaces");
@@ -175,11 +121,10 @@ json whole_way(Surgeon& s)
   s.run(qFaceToBoneCase::Target);
   s.settle();
   s.show(qFaceToBoneCase::Target, "4_target");
-  const json move = time_of_a_move(s);
-  s.settle();
   s.window().threeDView()->setPreset(qFaceToBoneThreeDView::Right);
   s.find<QCheckBox>("handles")->setChecked(true);
-  if (!s.work()->moveLandmark("sn", {0, 2, 0}, 35))
+  if (!s.work()->moveLandmark("sn", {0, 2, 0}, 35) ||
+      !s.work()->moveLandmark("Pg'", {0, 4, 0}, 30)) // the chin is cut to be moved
     throw std::runtime_error(s.work()->error().toStdString());
   s.find<QComboBox>("colour")->setCurrentIndex(1);
   s.photographer().take(s.window(), "4_target_displacement");
@@ -209,63 +154,40 @@ json whole_way(Surgeon& s)
   s.run(qFaceToBoneCase::Report);
   s.window().threeDView()->setPreset(qFaceToBoneThreeDView::ThreeQuarter);
   s.show(qFaceToBoneCase::Report, "8_report");
-  return move;
 }
 
-int main_of(int argc, char** argv)
+json pictures_of(const Path& source, const QString& pictures)
 {
-  if (argc < 3)
-  {
-    std::cerr << "window_pictures CASE.json FOLDER\n";
-    return 2;
-  }
-  testing::ApplicationEnvironment application;
-  application.SetUp();
+  QDir(pictures).removeRecursively();
+  QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, pictures + "/settings");
+  Photographer photographer(pictures);
+  const Path folder = pictures.toStdString();
+  const json document = with_absolute_paths(read_json(source), source);
+  const auto linked_ct = folder / "ct alone";
+  std::filesystem::create_directories(linked_ct);
+  const Path ct = parse_settings(document, source).ct;
   json told;
   {
-    const QString pictures = QString::fromLocal8Bit(argv[2]);
-    QDir(pictures).removeRecursively();
-    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, pictures + "/settings");
-    Photographer photographer(pictures);
-    json document = with_absolute_paths(read_json(argv[1]), argv[1]);
-    const auto linked_ct = Path(argv[2]) / "ct alone";
-    std::filesystem::create_directories(linked_ct);
-    const Path ct = parse_settings(document, argv[1]).ct;
-    {
-      qFaceToBoneMainWindow window;
-      window.show();
-      photographer.take(window, "0_welcome");
-      Surgeon surgeon(window, photographer);
-      std::filesystem::create_symlink(ct, linked_ct / ct.filename());
-      told["bare_ct"] =
-          bare_ct(surgeon, QString::fromStdString((linked_ct / ct.filename()).string()));
-    }
-    const auto own = Path(argv[2]) / "case.json";
-    write_json(own, document);
     qFaceToBoneMainWindow window;
     window.show();
+    photographer.take(window, "0_welcome");
     Surgeon surgeon(window, photographer);
-    if (!window.open(QString::fromStdString(own.string())))
-      throw std::runtime_error(surgeon.work()->error().toStdString());
-    surgeon.settle(); // its CT is read
-    photographer.take(window, "1_opened");
-    told["move_ms"] = whole_way(surgeon);
-    // the next start shows a case within seconds
-    const QString folder = surgeon.work()->folder();
-    surgeon.work()->close();
-    qFaceToBoneMainWindow next;
-    QElapsedTimer since;
-    since.start();
-    next.show();
-    next.open(folder);
-    QCoreApplication::processEvents();
-    next.threeDView()->renderWindow()->Render();
-    told["seconds_to_reopened_image"] = static_cast<double>(since.elapsed()) / 1000.0;
-    told.update(photographer.told());
+    std::filesystem::create_symlink(ct, linked_ct / ct.filename());
+    told["bare_ct"] =
+        bare_ct(surgeon, QString::fromStdString((linked_ct / ct.filename()).string()));
   }
-  std::cout << told.dump(1) << "\n";
-  application.TearDown();
-  return 0;
+  const Path own = folder / "case.json";
+  write_json(own, document);
+  qFaceToBoneMainWindow window;
+  window.show();
+  Surgeon surgeon(window, photographer);
+  if (!window.open(QString::fromStdString(own.string())))
+    throw std::runtime_error(surgeon.work()->error().toStdString());
+  surgeon.settle(); // its CT is read
+  photographer.take(window, "1_opened");
+  whole_way(surgeon);
+  told.update(photographer.told());
+  return told;
 }
 
 } // namespace
@@ -273,13 +195,11 @@ int main_of(int argc, char** argv)
 
 int main(int argc, char** argv)
 {
-  try
+  if (argc != 3)
   {
-    return f2b::main_of(argc, argv);
+    std::cerr << "window_pictures CASE.json FOLDER\n";
+    return 2;
   }
-  catch (const std::exception& error)
-  {
-    std::cerr << error.what() << "\n";
-    return 1;
-  }
+  return f2b::testing::in_application(
+      [&] { return f2b::pictures_of(argv[1], QString::fromLocal8Bit(argv[2])); });
 }

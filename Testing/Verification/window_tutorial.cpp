@@ -333,38 +333,29 @@ void plan(Resident& r)
   r.tab("Step");
 }
 
-int main_of(const Path& folder)
+json followed_in(const Path& folder)
 {
   std::filesystem::remove_all(folder);
   std::filesystem::create_directories(folder);
-  qputenv("XDG_DATA_HOME", (folder / "data").c_str());
-  testing::ApplicationEnvironment application;
-  application.SetUp();
   QStandardPaths::setTestModeEnabled(false); // all goes into the folder
   QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope,
                      QString::fromStdString((folder / "settings").string()));
-  json told;
-  {
-    Photographer photographer(QString::fromStdString(folder.string()));
-    qFaceToBoneMainWindow window;
-    window.show();
-    Resident resident(window, photographer);
-    open_the_patient(resident);
-    surfaces(resident);
-    cuts(resident, folder);
-    target(resident);
-    plan(resident);
-    resident.do_step(qFaceToBoneCase::Report, "Write");
-    resident.choose(qFaceToBoneCase::Report);
-    require(std::filesystem::exists(Path(resident.work()->folder().toStdString()) / "report.html"),
-            "there is no report.html");
-    resident.look(qFaceToBoneThreeDView::ThreeQuarter);
-    photographer.take(window, "8_report");
-    told = photographer.told();
-  }
-  std::cout << told.dump(1) << "\n";
-  application.TearDown();
-  return 0;
+  Photographer photographer(QString::fromStdString(folder.string()));
+  qFaceToBoneMainWindow window;
+  window.show();
+  Resident resident(window, photographer);
+  open_the_patient(resident);
+  surfaces(resident);
+  cuts(resident, folder);
+  target(resident);
+  plan(resident);
+  resident.do_step(qFaceToBoneCase::Report, "Write");
+  resident.choose(qFaceToBoneCase::Report);
+  require(std::filesystem::exists(Path(resident.work()->folder().toStdString()) / "report.html"),
+          "there is no report.html");
+  resident.look(qFaceToBoneThreeDView::ThreeQuarter);
+  photographer.take(window, "8_report");
+  return photographer.told();
 }
 
 } // namespace
@@ -377,13 +368,7 @@ int main(int argc, char** argv)
     std::cerr << "window_tutorial FOLDER\n";
     return 2;
   }
-  try
-  {
-    return f2b::main_of(argv[1]);
-  }
-  catch (const std::exception& error)
-  {
-    std::cerr << error.what() << "\n";
-    return 1;
-  }
+  const f2b::Path folder = argv[1];
+  qputenv("XDG_DATA_HOME", (folder / "data").c_str());
+  return f2b::testing::in_application([&] { return f2b::followed_in(folder); });
 }
