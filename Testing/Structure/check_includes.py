@@ -15,7 +15,7 @@ ROOMS = {
     "CommandLine": {"Core", "Bridge", "Rendering", "Case", "Scene", "CommandLine"},
     "Widgets": {"Core", "Bridge", "Case"},
     "Widgets/VTK": {"Core"},
-    "Widgets/MRML": {"Core"},
+    "Widgets/MRML": {"Core", "Bridge"},
     "Widgets/Desktop": {"Core", "Rendering"},
 }
 LIBRARIES = {  # first letters of a header -> the rooms that may include it

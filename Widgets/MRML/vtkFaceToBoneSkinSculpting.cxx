@@ -3,6 +3,7 @@
 #include "vtkFaceToBoneSculptRepresentation.h"
 #include "vtkFaceToBoneSculptWidget.h"
 
+#include <Bridge/vtk_surface.hpp>
 #include <Core/error.hpp>
 #include <Core/geometry/bite.hpp>
 #include <Core/sculpting/mirror_plane.hpp>
@@ -13,9 +14,7 @@
 #include <vtkMRMLModelNode.h>
 #include <vtkMRMLScene.h>
 
-#include <vtkCellArray.h>
 #include <vtkCommand.h>
-#include <vtkIdList.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
@@ -32,22 +31,6 @@ using Look = vtkFaceToBoneSculptRepresentation;
 constexpr double ColouredMm = 10;
 /// Slicer's own table; a scene names it without holding it.
 constexpr const char* DivergingColorsID = "vtkMRMLColorTableNodeFileDivergingBlueRed.txt";
-
-f2b::TriangleMesh MeshOf(vtkPolyData* surface)
-{
-  f2b::TriangleMesh mesh;
-  mesh.points.resize(static_cast<std::size_t>(surface->GetNumberOfPoints()));
-  for (std::size_t v = 0; v < mesh.points.size(); ++v)
-    surface->GetPoint(static_cast<vtkIdType>(v), mesh.points[v].data());
-  vtkCellArray* cells = surface->GetPolys();
-  const vtkNew<vtkIdList> corners;
-  for (cells->InitTraversal(); cells->GetNextCell(corners);)
-    if (corners->GetNumberOfIds() == 3)
-      mesh.triangles.push_back({static_cast<int>(corners->GetId(0)),
-                                static_cast<int>(corners->GetId(1)),
-                                static_cast<int>(corners->GetId(2))});
-  return mesh;
-}
 
 /// From its array where it has one, as the verb Target reads it; else from its points.
 std::vector<f2b::Vec3> DisplacementOf(vtkPolyData* surface, const std::vector<f2b::Vec3>& rest)
@@ -234,7 +217,7 @@ void vtkFaceToBoneSkinSculpting::OnReferenceChanged()
 /// Arrays of the skin may change, its vertices may not.
 bool vtkFaceToBoneSkinSculpting::RestsOn(vtkMRMLModelNode& reference)
 {
-  const f2b::TriangleMesh mesh = MeshOf(reference.GetPolyData());
+  const f2b::TriangleMesh mesh = f2b::to_triangle_mesh(reference.GetPolyData());
   const f2b::SculptedSkin& skin = this->Session->skin();
   return mesh.points == skin.rest() && mesh.triangles == skin.triangles();
 }
@@ -315,7 +298,7 @@ bool vtkFaceToBoneSkinSculpting::Load()
   vtkPolyData* surface = this->Target->GetPolyData();
   try
   {
-    f2b::TriangleMesh mesh = MeshOf(this->Reference->GetPolyData());
+    f2b::TriangleMesh mesh = f2b::to_triangle_mesh(this->Reference->GetPolyData());
     auto displacement = DisplacementOf(surface, mesh.points);
     this->Session =
         std::make_shared<f2b::SculptingSession>(std::move(mesh), std::move(displacement));
