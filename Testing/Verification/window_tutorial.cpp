@@ -155,9 +155,9 @@ void surfaces(Resident& r)
                     Qt::NoScrollPhase, false);
   QApplication::sendEvent(slice, &wheel);
   require(slice->crosshair() != before, "the wheel does not go to the next slice");
-  r.look(qFaceToBoneThreeDView::Right);
+  r.look(qFaceToBoneThreeDView::Frontal);
   const Vec3 placed = r.landmark("prn");
-  r.drag(placed, -3, 6);
+  r.drag(placed, 6, 4);
   require((r.landmark("prn") - placed).norm() > 0.2, "a landmark cannot be dragged");
   r.look(qFaceToBoneThreeDView::ThreeQuarter);
   r.photographer().take(r.window(), "2_surfaces");
