@@ -96,8 +96,8 @@ public:
   /// Opens a case folder, its case.json, a case file to be worked on in a folder beside it, or a CT
   /// alone (file or DICOM folder), which is read in the background.
   bool open(const QString& path);
-  /// A window draws the case and calls caseIsSeen(): only then is the live preview of a case that has
-  /// been opened prepared, as it takes all cores from drawing.
+  /// A window draws the case and calls caseIsSeen(): until then, but for 10 s at most, the live
+  /// preview of a case that has been opened is not prepared, as it takes all cores from drawing.
   void setSeenInWindow(bool seen) { m_seenInWindow = seen; }
   void caseIsSeen() { *m_isSeen = true; }
   /// Makes the virtual patient in a folder and begins its case there, in the background.

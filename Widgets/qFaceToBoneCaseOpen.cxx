@@ -201,6 +201,7 @@ bool qFaceToBoneCase::openSample(const QString& folder, double meshDensity)
     if (has("case.json"))
       m_document->json = f2b::read_json(m_document->source = file("case.json"));
     m_rulers->load(file(rulersFileName));
+    m_isSeen = std::make_shared<std::atomic<bool>>(!m_seenInWindow);
     load(true);
     if (!has("skin.vtp"))
       previewCt();

@@ -257,6 +257,7 @@ void qFaceToBoneCase::prepareLive()
           progress("reading the mesh", 0);
           std::this_thread::sleep_for(std::chrono::milliseconds(20));
         }
+        *seen = true;
         {
           const std::lock_guard<std::mutex> alone(*inUse);
           progress("reading the mesh", 0);

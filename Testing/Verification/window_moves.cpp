@@ -1,5 +1,6 @@
 #include "window_driver.hpp"
 
+#include <QTemporaryDir>
 #include <QToolButton>
 
 #include <algorithm>
@@ -31,6 +32,9 @@ double thread_seconds()
 
 json moves_of_the_nose(const QString& folder, int moves)
 {
+  QTemporaryDir settings;
+  QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
+  QSettings().setValue("autosaveSeconds", 100000); // nothing is kept in the case's folder
   qFaceToBoneMainWindow window;
   window.show();
   Photographer nobody(QDir::tempPath());
@@ -66,7 +70,6 @@ json moves_of_the_nose(const QString& folder, int moves)
     before = after;
   }
   mouse->InvokeEvent(vtkCommand::LeftButtonReleaseEvent);
-  s.work()->undo(); // nothing is kept in the case's folder
   s.settle();
   return {{"mean_ms", std::accumulate(spent.begin(), spent.end(), 0.0) / moves},
           {"largest_ms", *std::max_element(spent.begin(), spent.end())},

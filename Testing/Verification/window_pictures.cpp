@@ -21,11 +21,7 @@
 #include <QTabWidget>
 #include <QToolButton>
 
-#include <vtkCommand.h>
 #include <vtkPolyData.h>
-#include <vtkRenderWindow.h>
-#include <vtkRenderWindowInteractor.h>
-#include <vtkRenderer.h>
 
 #include <nlohmann/json.hpp>
 

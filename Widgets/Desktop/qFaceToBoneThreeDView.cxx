@@ -4,7 +4,7 @@
 
 #include <Rendering/colour_maps.hpp>
 
-#include <QTimer>
+#include <QMetaObject>
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
@@ -71,10 +71,10 @@ qFaceToBoneThreeDView::qFaceToBoneThreeDView(qFaceToBoneObjects* objects, QWidge
   setRenderWindow(window);
   vtkNew<vtkInteractorStyleTrackballCamera> style;
   interactor()->SetInteractorStyle(style);
-  // tools and camera ask for a picture with every mouse move: one is drawn when the mouse rests
+  // tools and camera ask for a picture once or more with every event: one is drawn after it
   interactor()->EnableRenderOff();
-  m_renderRequests =
-      interactor()->AddObserver(vtkCommand::RenderEvent, this, &qFaceToBoneThreeDView::renderSoon);
+  m_renderRequests = interactor()->AddObserver(vtkCommand::RenderEvent, this,
+                                               &qFaceToBoneThreeDView::onRenderRequested);
   vtkNew<vtkCamera> camera;
   camera->ParallelProjectionOn();
   for (int k = 0; k < 3; ++k)
@@ -151,21 +151,39 @@ vtkRenderer* qFaceToBoneThreeDView::mainRenderer() const
   return m_panes.front().renderer;
 }
 
-/// Many changes, one picture.
+/// Many changes, one picture; after the event that is being handled and before the next one.
 void qFaceToBoneThreeDView::renderSoon()
 {
   if (m_renderPending)
     return;
   m_renderPending = true;
-  QTimer::singleShot(0, this,
-                     [this]
-                     {
-                       m_renderPending = false;
-                       if (!m_fitted) // the first time that there is something to see
-                         fitCamera();
-                       placeSplit();
-                       renderWindow()->Render();
-                     });
+  QMetaObject::invokeMethod(
+      this, [this] { drawNow(); }, Qt::QueuedConnection);
+}
+
+void qFaceToBoneThreeDView::drawNow()
+{
+  m_renderPending = false;
+  if (!m_fitted) // the first time that there is something to see
+    fitCamera();
+  placeSplit();
+  renderWindow()->Render();
+}
+
+void qFaceToBoneThreeDView::paintGL()
+{
+  m_painting = true;
+  QVTKOpenGLNativeWidget::paintGL();
+  m_painting = false;
+}
+
+/// The widget itself asks while it is painted, as after its size has changed: it cannot wait.
+void qFaceToBoneThreeDView::onRenderRequested()
+{
+  if (m_painting)
+    drawNow();
+  else
+    renderSoon();
 }
 
 std::vector<QString> qFaceToBoneThreeDView::keysOf(std::size_t pane) const
@@ -425,9 +443,10 @@ void qFaceToBoneThreeDView::placeSplit()
 
 bool qFaceToBoneThreeDView::savePicture(const QString& path)
 {
-  renderWindow()->Render();
+  drawNow();
   vtkNew<vtkWindowToImageFilter> grab;
   grab->SetInput(renderWindow());
+  grab->ShouldRerenderOff();
   grab->ReadFrontBufferOff();
   vtkNew<vtkPNGWriter> writer;
   writer->SetInputConnection(grab->GetOutputPort());

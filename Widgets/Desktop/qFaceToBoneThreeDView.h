@@ -57,8 +57,13 @@ public:
 signals:
   void drawn(); ///< all that there is to see is on the screen
 
+protected:
+  void paintGL() override;
+
 private:
   struct Pane;
+  void drawNow();
+  void onRenderRequested();
   void fitCamera();
   void rebuild();
   void updateObject(const QString& key);
@@ -71,7 +76,7 @@ private:
   std::vector<Pane> m_panes;
   Layout m_layout = Single;
   double m_explode = 0, m_split = 1;
-  bool m_renderPending = false, m_fitted = false;
+  bool m_renderPending = false, m_painting = false, m_fitted = false;
   unsigned long m_renderRequests = 0; ///< observer of the interactor's
   vtkSmartPointer<vtkScalarBarActor> m_bar;
   vtkSmartPointer<vtkTextActor> m_barTitle;

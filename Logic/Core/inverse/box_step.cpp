@@ -85,4 +85,12 @@ Eigen::VectorXd box_step(const Eigen::MatrixXd& H, const Eigen::VectorXd& g,
   return s;
 }
 
+void hold_coordinate(Eigen::MatrixXd& H, Eigen::Index k)
+{
+  const double largest = H.diagonal().maxCoeff();
+  H.row(k).setZero();
+  H.col(k).setZero();
+  H(k, k) = largest > 0 ? largest : 1;
+}
+
 } // namespace f2b

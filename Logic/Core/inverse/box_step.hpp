@@ -14,4 +14,8 @@ namespace f2b
 Eigen::VectorXd box_step(const Eigen::MatrixXd& H, const Eigen::VectorXd& g,
                          const Eigen::VectorXd& least, const Eigen::VectorXd& most);
 
+/// Takes a coordinate out of a quadratic's matrix: nothing depends on it any more, and its own
+/// stiffness is the largest, so that tests of the smallest one do not see it.
+void hold_coordinate(Eigen::MatrixXd& H, Eigen::Index k);
+
 } // namespace f2b

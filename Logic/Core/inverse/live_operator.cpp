@@ -7,7 +7,9 @@
 #include <Eigen/Cholesky>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
+#include <limits>
 
 namespace f2b
 {
@@ -117,7 +119,8 @@ void LiveOperator::linearize(const Progress& progress)
 }
 
 /// The normal equations, from the vertices that count: a stroke moves a few of many.
-Eigen::MatrixXd LiveOperator::normal_matrix() const
+Eigen::MatrixXd LiveOperator::normal_matrix(const std::vector<Eigen::Index>& counting,
+                                            const std::vector<double>& weight) const
 {
   constexpr Eigen::Index most_rows = 768; // what the nearest cache holds
   Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(m_C.cols(), m_C.cols());
@@ -128,10 +131,10 @@ Eigen::MatrixXd LiveOperator::normal_matrix() const
     sum.selfadjointView<Eigen::Lower>().rankUpdate(rows.topRows(filled).transpose());
     filled = 0;
   };
-  for (const Eigen::Index v : m_counting)
+  for (const Eigen::Index v : counting)
   {
     rows.middleRows<3>(filled) =
-        std::sqrt(m_weight[static_cast<std::size_t>(v)]) * m_C.middleRows<3>(3 * v);
+        std::sqrt(weight[static_cast<std::size_t>(v)]) * m_C.middleRows<3>(3 * v);
     filled += 3;
     if (filled == most_rows)
       add_up();
@@ -142,51 +145,41 @@ Eigen::MatrixXd LiveOperator::normal_matrix() const
 
 void LiveOperator::set_weight(const std::vector<double>& weight)
 {
-  std::vector<double> counting(m_area.size());
-  for (std::size_t v = 0; v < m_area.size(); ++v)
-    counting[v] = m_area[v] * weight[v];
-  if (counting == m_weight)
-    return;
-  m_weight = std::move(counting);
-  m_counting.clear();
+  Weighting next;
+  next.weight.resize(m_area.size());
   double total = 0, probe_error = 0;
-  for (std::size_t v = 0; v < m_weight.size(); ++v)
-    if (m_weight[v] != 0)
+  for (std::size_t v = 0; v < m_area.size(); ++v)
+    if ((next.weight[v] = m_area[v] * weight[v]) != 0)
     {
-      m_counting.push_back(static_cast<Eigen::Index>(v));
-      total += m_weight[v];
-      probe_error += m_weight[v] * m_probe_error[static_cast<Eigen::Index>(v)];
+      next.counting.push_back(static_cast<Eigen::Index>(v));
+      total += next.weight[v];
+      probe_error += next.weight[v] * m_probe_error[static_cast<Eigen::Index>(v)];
     }
-  m_H = normal_matrix();
-  m_held_fragments = unseen_fragments(m_space, m_q0, m_H.diagonal(), m_moved_skin);
+  if (next.weight == m_now.weight)
+    return;
+  next.H = normal_matrix(next.counting, next.weight);
+  next.held_fragments = unseen_fragments(m_space, m_q0, next.H.diagonal(), m_moved_skin);
   const Eigen::MatrixXd slopes = m_space.wish_slopes(m_q0);
-  m_H += m_options.skin_sd_mm * m_options.skin_sd_mm * m_options.patch_area_mm2 *
-         slopes.transpose() * slopes;
+  next.H += m_options.wish_weight() * slopes.transpose() * slopes;
   for (Eigen::Index k = 0; k < m_space.size(); ++k)
-    if (is_held(k))
-    {
-      m_H.row(k).setZero();
-      m_H.col(k).setZero();
-      m_H(k, k) = 1;
-    }
-  if (m_H.size() && !(m_H.ldlt().vectorD().minCoeff() > 1e-10 * m_H.diagonal().maxCoeff()))
-  {
-    m_weight.clear(); // the same weights are refused again
+    if (is_held(next, k))
+      hold_coordinate(next.H, k);
+  if (next.H.size() && !(next.H.ldlt().vectorD().minCoeff() > 1e-10 * next.H.diagonal().maxCoeff()))
     throw Error("target", "it leaves a combination of the fragments' movements free",
                 "widen the target's mask, lock a coordinate or give it a prior",
                 ErrorKind::Numerical);
-  }
   const double distance = length_mm(m_probe_q - m_q0);
   const double off_mm = total > 0 ? std::sqrt(probe_error / total) : 0;
-  m_curvature =
+  next.curvature =
       distance > 0 ? off_mm / (distance * distance) : std::numeric_limits<double>::infinity();
+  m_now = std::move(next); // what is refused leaves the weights as they were
 }
 
-bool LiveOperator::is_held(Eigen::Index k) const
+bool LiveOperator::is_held(const Weighting& now, Eigen::Index k) const
 {
-  return std::find(m_held_fragments.begin(), m_held_fragments.end(),
+  return std::find(now.held_fragments.begin(), now.held_fragments.end(),
                    m_space.coordinates()[static_cast<std::size_t>(k)].fragment) !=
-         m_held_fragments.end();
+         now.held_fragments.end();
 }
 
 Eigen::VectorXd LiveOperator::skin_at(const Eigen::VectorXd& q) const
@@ -196,26 +189,26 @@ Eigen::VectorXd LiveOperator::skin_at(const Eigen::VectorXd& q) const
 
 LiveOperator::Answer LiveOperator::update(const std::vector<Vec3>& displacement) const
 {
+  assert(displacement.size() == m_area.size());
   const Stacked wanted = stacked(displacement);
   Eigen::VectorXd g = Eigen::VectorXd::Zero(m_C.cols());
-  for (const Eigen::Index v : m_counting)
+  for (const Eigen::Index v : m_now.counting)
     g += m_C.middleRows<3>(3 * v).transpose() *
-         (m_weight[static_cast<std::size_t>(v)] * (m_u0 - wanted).segment<3>(3 * v));
-  g += m_options.skin_sd_mm * m_options.skin_sd_mm * m_options.patch_area_mm2 *
-       m_space.wish_slopes(m_q0).transpose() * m_space.wishes(m_q0);
+         (m_now.weight[static_cast<std::size_t>(v)] * (m_u0 - wanted).segment<3>(3 * v));
+  g += m_options.wish_weight() * m_space.wish_slopes(m_q0).transpose() * m_space.wishes(m_q0);
   Eigen::VectorXd least = m_space.least() - m_q0, most = m_space.most() - m_q0;
   for (Eigen::Index k = 0; k < m_space.size(); ++k)
-    if (is_held(k))
+    if (is_held(m_now, k))
       g[k] = least[k] = most[k] = 0;
   Answer answer;
-  answer.held_fragments = m_held_fragments;
-  answer.q = m_q0 + box_step(m_H, g, least, most);
+  answer.held_fragments = m_now.held_fragments;
+  answer.q = m_q0 + box_step(m_now.H, g, least, most);
   answer.motions = m_space.motions(answer.q);
   answer.skin_displacement.resize(displacement.size());
   Eigen::Map<Eigen::VectorXd>(answer.skin_displacement.front().data(), m_u0.size()) =
       skin_at(answer.q);
   const double distance = length_mm(answer.q - m_q0);
-  answer.doubt_mm = distance > 0 ? m_curvature * distance * distance : 0;
+  answer.doubt_mm = distance > 0 ? m_now.curvature * distance * distance : 0;
   return answer;
 }
 

@@ -34,7 +34,8 @@ public:
   LiveOperator(const FaceModel& face, const RigidFitOptions& options, const Progress& progress);
 
   /// Sets what of the face counts, a weight per reference-skin vertex as in SkinTarget.
-  /// Throws Error if the skin that counts leaves a combination of the coordinates free.
+  /// Throws Error if the skin that counts leaves a combination of the coordinates free; the weights
+  /// are as they were then.
   void set_weight(const std::vector<double>& weight);
   /// \param displacement  of the target, one per reference-skin vertex [mm]
   Answer update(const std::vector<Vec3>& displacement) const;
@@ -45,8 +46,18 @@ private:
   void linearize(const Progress& progress);
   Eigen::VectorXd skin_at(const Eigen::VectorXd& q) const;
   double length_mm(const Eigen::VectorXd& change) const;
-  Eigen::MatrixXd normal_matrix() const;
-  bool is_held(Eigen::Index k) const;
+  /// What of the face counts, and what follows from that.
+  struct Weighting
+  {
+    std::vector<double> weight;         ///< area times weight, one per vertex [mm^2]
+    std::vector<Eigen::Index> counting; ///< vertices whose weight is not 0
+    std::vector<int> held_fragments;
+    Eigen::MatrixXd H;
+    double curvature = 0; ///< error of the linearised face per squared distance [1/mm]
+  };
+  Eigen::MatrixXd normal_matrix(const std::vector<Eigen::Index>& counting,
+                                const std::vector<double>& weight) const;
+  bool is_held(const Weighting& now, Eigen::Index k) const;
 
   const FaceModel& m_face;
   RigidFitOptions m_options;
@@ -57,13 +68,9 @@ private:
   std::vector<double> m_area; ///< one per vertex, 0 where none is meshed [mm^2]
   /// Skin displacement per unit of each coordinate; a vertex's three rows lie together.
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> m_C;
-  Eigen::VectorXd m_probe_error;        ///< of the linearised face at the probe, squared [mm^2]
-  std::vector<double> m_weight;         ///< area times weight, one per vertex [mm^2]
-  std::vector<Eigen::Index> m_counting; ///< vertices whose weight is not 0
-  Eigen::MatrixXd m_H;
-  Eigen::VectorXd m_moved_skin; ///< by every coordinate, of all skin
-  std::vector<int> m_held_fragments;
-  double m_curvature = 0; ///< error of the linearised face per squared distance [1/mm]
+  Eigen::VectorXd m_probe_error; ///< of the linearised face at the probe, squared [mm^2]
+  Eigen::VectorXd m_moved_skin;  ///< by every coordinate, of all skin
+  Weighting m_now;
 };
 
 } // namespace f2b

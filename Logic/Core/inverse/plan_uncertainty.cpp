@@ -1,6 +1,7 @@
 #include "Core/inverse/plan_uncertainty.hpp"
 
 #include "Core/error.hpp"
+#include "Core/inverse/box_step.hpp"
 #include "Core/inverse/skin_sensitivity.hpp"
 #include "Core/material/law_variation.hpp"
 
@@ -132,12 +133,7 @@ private:
   void hold_bounds(Eigen::MatrixXd& H) const
   {
     for (const Eigen::Index k : m_plan.at_bounds)
-    {
-      const double diagonal = H(k, k);
-      H.row(k).setZero();
-      H.col(k).setZero();
-      H(k, k) = diagonal;
-    }
+      hold_coordinate(H, k);
   }
 
   const FaceModel& m_face;

@@ -115,8 +115,8 @@ std::string all_is_reached(const Reachability& reachability)
 std::string stays_unseen(const std::string& fragment)
 {
   return "'" + fragment +
-         "' stays: less than a tenth of the skin that it moves is under the target; sculpt the "
-         "face there, or say by its rules how it is to move";
+         "' stays: hardly any of the skin that it moves is under the target; sculpt the face there, "
+         "or say by its rules how it is to move";
 }
 
 ReachVerdict verdict_on(const RegionReach& reach, const ReachLimits& limits)

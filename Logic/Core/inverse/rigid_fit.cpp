@@ -41,9 +41,7 @@ private:
     /// Leaves a coordinate where it is.
     void hold(Eigen::Index k)
     {
-      H.row(k).setZero();
-      H.col(k).setZero();
-      H(k, k) = 1;
+      hold_coordinate(H, k);
       g[k] = least[k] = most[k] = 0;
     }
   };

@@ -64,9 +64,9 @@ MovementSpace movement_space(const FaceModel& face, const RigidFitOptions& optio
 /// Sensitivities are those of the converged equilibrium, one back-solve a coordinate with the
 /// tangent's factor. The objective never rises. Equilibria on the way are only as exact as the next
 /// step needs; the last one meets the options' tolerance.
+/// Fragments that the target says nothing of (unseen_fragments) stay where they start.
 /// \param start  a plan of the same face under the same rules, such as that of a target that differs
 ///               little: the fit begins from its equilibrium. Null: from rest
-/// Fragments that the target says nothing of (unseen_fragments) stay where they start.
 /// Throws Error if the target does not determine a fragment's movement at all.
 RigidFitResult fit_fragments(const FaceModel& face, const SkinTarget& target,
                              const RigidFitOptions& options, const Progress& progress,

@@ -69,17 +69,15 @@ std::vector<int> unseen_fragments(const MovementSpace& space, const Eigen::Vecto
     share.all += unit * all[k];
     share.wished = share.wished || (wishes.rows() > 0 && !wishes.col(k).isZero(0));
   }
+  double largest = 0;
+  for (Share& share : shares)
+    if (share.all > 0)
+      largest = std::max(largest, share.counting /= share.all);
   std::vector<int> unseen;
-  bool others = false;
   for (std::size_t f = 0; f < shares.size(); ++f)
-  {
-    const Share& share = shares[f];
-    if (!share.wished && share.all > 0 && share.counting < least_share * share.all)
+    if (!shares[f].wished && shares[f].all > 0 && shares[f].counting < least_share * largest)
       unseen.push_back(static_cast<int>(f));
-    else
-      others = others || share.all > 0;
-  }
-  return others ? unseen : std::vector<int>{};
+  return unseen;
 }
 
 SkinResidual::SkinResidual(const SkinTarget& target, std::vector<double> weight)

@@ -80,9 +80,9 @@ std::vector<double> fit_weights(const FaceModel& face, const SkinTarget& target)
 Eigen::VectorXd moved_skin(const std::vector<std::vector<Vec3>>& columns,
                            const std::vector<double>& weight);
 
-/// Fragments that a target says nothing of: less than a tenth of the skin that they move counts.
-/// What little they do to the skin that counts would drive them to their bounds. Fragments that a
-/// prior or a bite speaks for are none of these, and there is none if the target would see no other.
+/// Fragments that a target says nothing of: of the skin that they move a share counts that is less
+/// than a tenth of the best seen fragment's share. What little they do to the skin that counts would
+/// drive them to their bounds. Fragments that a prior or a bite speaks for are none of these.
 /// \param counting, all  moved_skin of the skin that counts, and of all skin that is meshed
 std::vector<int> unseen_fragments(const MovementSpace& space, const Eigen::VectorXd& q,
                                   const Eigen::VectorXd& counting, const Eigen::VectorXd& all);

@@ -100,7 +100,7 @@ void GeodesicDistance::offer(int vertex, double distance)
 /// Vertices that have been offered less join the front, each once with the least.
 void GeodesicDistance::join_front()
 {
-  const double per_mm = bucket_count / std::max(m_limit_mm, std::numeric_limits<double>::min());
+  const double per_mm = m_limit_mm > 1e-9 ? bucket_count / m_limit_mm : 0;
   for (auto offered = m_offered.begin(); offered != m_offered.end(); ++offered)
   {
     if (std::find(offered + 1, m_offered.end(), *offered) != m_offered.end())

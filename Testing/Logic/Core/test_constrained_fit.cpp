@@ -1,5 +1,6 @@
 #include "Core/error.hpp"
 #include "Core/inverse/live_operator.hpp"
+#include "Core/inverse/plan_uncertainty.hpp"
 #include "Core/inverse/rigid_fit.hpp"
 #include "Core/inverse/skin_sensitivity.hpp"
 #include "Logic/Core/slab_face.hpp"
@@ -89,6 +90,9 @@ TEST(ConstrainedFit, AFragmentThatTheTargetSaysNothingOfStays)
   EXPECT_EQ(std::count_if(fit.at_bounds.begin(), fit.at_bounds.end(),
                           [](Eigen::Index k) { return k >= 6; }),
             6);
+  const auto sure = plan_uncertainty(slab.face, target, {}, fit, slab.positions(), {});
+  EXPECT_GT(sure[4].half_90(), 0);
+  EXPECT_EQ(sure[10].half_90(), 0); // not planned
   RigidFitOptions options;
   options.rules.resize(2);
   options.rules[1].coordinates[4].sd = 1; // whoever gives it a prior wants it planned

@@ -87,6 +87,8 @@ TEST(LiveOperator, KeepsBoundsAndRefusesSkinThatLeavesMovementsFree)
   EXPECT_EQ(answer.motions[0].translation.z(), 1);
   std::vector<double> none(slab.weights().size(), 0.0);
   EXPECT_THROW(live.set_weight(none), Error);
+  EXPECT_THROW(live.set_weight(none), Error); // again, and what counted before still does
+  EXPECT_EQ(live.update(up).q, answer.q);
 }
 
 } // namespace
