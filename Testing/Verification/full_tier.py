@@ -306,26 +306,51 @@ def sanitizers(tier):
             ("of these failed", failed, "0", failed == 0)]
 
 
+ROBUSTNESS = ("RobustWindow.*:CutsWindow.CutsGone*:CutsWindow.StepsInEveryOrder*:CutsWindow.RandomEvents*:"
+              "MainWindow.AnotherCase*:MainWindow.Cancelled*:MainWindow.ClosingDuring*:MainWindow.Menus*")
+
+
+def window_patient(tier):
+    """What Testing/Widgets/desktop_patient.hpp makes; under sanitizers it would take half an hour."""
+    folder = tier.work / "window-events"
+    shutil.rmtree(folder, ignore_errors=True)
+    tier.run("sample", "-o", folder / "patient")
+    case = load(folder / "patient" / "case.json")
+    case.setdefault("mesh", {})["density"] = 0.15
+    case.setdefault("solver", {})["max_fit_iterations"] = 2
+    (folder / "patient" / "case.json").write_text(json.dumps(case))
+    tier.run("segment", folder / "patient" / "case.json", "-o", folder / "segmented")
+    return folder
+
+
+def passed_by(program, chosen, **environment):
+    """How many tests of a program passed; None if one failed or the program did not end well."""
+    done = subprocess.run([program, f"--gtest_filter={chosen}"], capture_output=True, text=True,
+                          env=dict(os.environ, **environment))
+    passed = re.search(r"\[  PASSED  \] (\d+) tests?", done.stdout)
+    if done.returncode or not passed:
+        print(done.stdout[-2000:] + done.stderr[-2000:], flush=True)
+        return None
+    return int(passed[1])
+
+
 def window_events(tier):
-    """10 000 random events for each 3D tool, under ASan and UBSan, and for the window at the step of the cuts."""
+    """10 000 random events for each 3D tool, and the window's tests of robustness, under ASan and UBSan."""
     root = here.parent.parent
     for command in (["cmake", "--preset", "asan"],
                     ["cmake", "--build", "--preset", "asan", "--target", "test_tools", "test_cuts", "test_main_window"]):
         subprocess.run(command, cwd=root, capture_output=True, text=True, check=True)
+    widgets = root / ".build" / "asan" / "Testing" / "Widgets"
+    many = {"FACETOBONE_RANDOM_EVENTS": "10000"}
     # the drivers of OpenGL keep what they have until the program ends
-    done = subprocess.run([root / ".build" / "asan" / "Testing" / "Widgets" / "test_tools", "--gtest_filter=*Random*"],
-                          capture_output=True, text=True,
-                          env=dict(os.environ, FACETOBONE_RANDOM_EVENTS="10000", ASAN_OPTIONS="detect_leaks=0"))
-    passed = re.search(r"\[  PASSED  \] (\d+) tests?", done.stdout)
-    if done.returncode or not passed:
-        print(done.stdout[-2000:] + done.stderr[-2000:], flush=True)
-    window = subprocess.run([tier.tool("Widgets/test_main_window"), "--gtest_filter=*Random*"], capture_output=True,
-                            text=True, env=dict(os.environ, FACETOBONE_RANDOM_EVENTS="10000"))
-    if window.returncode:
-        print(window.stdout[-2000:] + window.stderr[-2000:], flush=True)
-    return [("window with 10 000 random events while it cuts", int(window.returncode == 0), "1", window.returncode == 0),
-            ("tools with 10 000 random events each under ASan and UBSan", int(passed[1]) if passed else 0, ">= 6",
-             done.returncode == 0 and passed is not None and int(passed[1]) >= 6)]
+    sanitized = {"ASAN_OPTIONS": "detect_leaks=0", "UBSAN_OPTIONS": "print_stacktrace=1"}
+    tools = passed_by(widgets / "test_tools", "*Random*", **many, **sanitized)
+    at_cuts = passed_by(tier.tool("Widgets/test_main_window"), "*Random*", FACETOBONE_PROGRAM=str(tier.program), **many)
+    robust = passed_by(widgets / "test_main_window", ROBUSTNESS, FACETOBONE_TEST_PATIENT=str(window_patient(tier)),
+                       FACETOBONE_PROGRAM=str(tier.program), **sanitized)
+    return [("tools with 10 000 random events each under ASan and UBSan", tools or 0, ">= 6", (tools or 0) >= 6),
+            ("window with 10 000 random events at face and cuts", at_cuts or 0, ">= 2", (at_cuts or 0) >= 2),
+            ("window's tests of robustness under ASan and UBSan", robust or 0, ">= 12", (robust or 0) >= 12)]
 
 
 def reproducible(tier):

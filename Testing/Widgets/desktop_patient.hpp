@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cstdlib>
 #include <filesystem>
 
 #include <unistd.h>
@@ -13,13 +14,33 @@
 namespace f2b::testing
 {
 
-/// The virtual patient, coarse; made once for the program, gone with it.
-struct CoarsePatient
+/// A folder for the program's own files, gone with it; or, where FACETOBONE_TEST_PATIENT names one
+/// that an unsanitized program has filled, that one: under sanitizers the making takes half an hour.
+struct PatientFolder
 {
-  CoarsePatient()
-      : folder(std::filesystem::temp_directory_path() /
-               ("f2b desktop patient " + std::to_string(::getpid())))
+  explicit PatientFolder(const std::string& name)
+      : given(std::getenv("FACETOBONE_TEST_PATIENT")),
+        folder(given ? std::filesystem::path(given) / name
+                     : std::filesystem::temp_directory_path() /
+                           ("f2b desktop " + name + " " + std::to_string(::getpid())))
   {
+  }
+  ~PatientFolder()
+  {
+    if (!given)
+      std::filesystem::remove_all(folder);
+  }
+  const char* given;
+  std::filesystem::path folder;
+};
+
+/// The virtual patient, coarse; made once for the program.
+struct CoarsePatient : PatientFolder
+{
+  CoarsePatient() : PatientFolder("patient")
+  {
+    if (given)
+      return;
     SampleOptions options;
     options.spacing_mm = 1;
     write_sample(folder, options, no_progress);
@@ -28,8 +49,6 @@ struct CoarsePatient
     document["solver"]["max_fit_iterations"] = 2;
     write_json(folder / "case.json", document);
   }
-  ~CoarsePatient() { std::filesystem::remove_all(folder); }
-  std::filesystem::path folder;
 };
 
 inline const CoarsePatient& coarse_patient()
@@ -39,18 +58,16 @@ inline const CoarsePatient& coarse_patient()
 }
 
 /// The same after its first step.
-struct SegmentedPatient
+struct SegmentedPatient : PatientFolder
 {
-  SegmentedPatient()
-      : folder(std::filesystem::temp_directory_path() /
-               ("f2b desktop segmented " + std::to_string(::getpid())))
+  SegmentedPatient() : PatientFolder("segmented")
   {
+    if (given)
+      return;
     const auto file = coarse_patient().folder / "case.json";
     CaseSession session(folder, read_json(file), file);
     segment_case(session);
   }
-  ~SegmentedPatient() { std::filesystem::remove_all(folder); }
-  std::filesystem::path folder;
 };
 
 inline const SegmentedPatient& segmented_patient()
