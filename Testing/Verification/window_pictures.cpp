@@ -119,8 +119,7 @@ void whole_way(Surgeon& s)
   s.show(qFaceToBoneCase::Target, "4_target");
   s.window().threeDView()->setPreset(qFaceToBoneThreeDView::Right);
   s.find<QCheckBox>("handles")->setChecked(true);
-  if (!s.work()->moveLandmark("sn", {0, 2, 0}, 35) ||
-      !s.work()->moveLandmark("Pg'", {0, 4, 0}, 30)) // the chin is cut to be moved
+  if (!s.work()->moveLandmark("sn", {0, 2, 0}, 35))
     throw std::runtime_error(s.work()->error().toStdString());
   s.find<QComboBox>("colour")->setCurrentIndex(1);
   s.photographer().take(s.window(), "4_target_displacement");
