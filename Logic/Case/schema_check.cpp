@@ -9,6 +9,8 @@
 #include <valijson/validation_results.hpp>
 #include <valijson/validator.hpp>
 
+#include <algorithm>
+#include <cctype>
 #include <vector>
 
 namespace f2b
@@ -31,6 +33,20 @@ std::string keys_of(const json& properties, const std::string& unknown)
   for (const auto& [key, value] : properties.items())
     keys.push_back(key);
   return hint_for(unknown, keys);
+}
+
+/// A key may be a name, which goes into warnings, reports and names of files.
+void refuse_control_characters(const json& value, const std::string& source)
+{
+  for (const auto& [key, entry] : value.items())
+  {
+    if (value.is_object() &&
+        std::any_of(key.begin(), key.end(), [](unsigned char c) { return std::iscntrl(c); }))
+      throw Error(source, "the key " + json(key).dump() + " holds a control character",
+                  "write the key without it");
+    if (entry.is_structured())
+      refuse_control_characters(entry, source);
+  }
 }
 
 /// The commonest fault gets the best answer: a key that the schema does not know.
@@ -134,6 +150,7 @@ std::string fault_text(const json& document, const json::json_pointer& at, const
 
 void check_against_schema(const json& document, const json& schema, const std::string& source)
 {
+  refuse_control_characters(document, source);
   refuse_unknown_keys(document, schema, schema, source, "");
   valijson::Schema parsed;
   valijson::SchemaParser parser;

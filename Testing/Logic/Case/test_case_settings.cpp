@@ -169,9 +169,10 @@ TEST(CaseSettings, UnknownKeysAreNamedWithASuggestion)
   refused(with("/solver", {{"x", 1}}), {"'/solver/x'", "known keys here: ", "threads"});
 }
 
-TEST(CaseSettings, UnknownKeysWithLineBreaksAreRefusedInOneLine)
+TEST(CaseSettings, KeysWithLineBreaksAreRefusedInOneLine)
 {
-  refused(with("/mesh", {{"a\nb", 1}}), {"'/mesh/a\\nb'"});
+  refused(with("/target", {{"from_movement", {{"a\nb", json::object()}}}}),
+          {"\"a\\nb\"", "control character"});
 }
 
 TEST(CaseSettings, WrongTypesAreNamedWithTheValue)
